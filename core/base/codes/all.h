@@ -1,0 +1,10 @@
+// All codes, an area a file. No include guard: read once for the enumeration and once for the table.
+#include "core/base/codes/general.h"
+#include "core/base/codes/project.h"
+#include "core/base/codes/family.h"
+#include "core/base/codes/language.h"
+#include "core/base/codes/image.h"
+#include "core/base/codes/runtime.h"
+#include "core/base/codes/fieldbus.h"
+#include "core/base/codes/online.h"
+#include "core/base/codes/commandline.h"

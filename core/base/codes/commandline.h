@@ -1,0 +1,1 @@
+// CW8…: commandline.

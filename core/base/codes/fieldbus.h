@@ -1,0 +1,1 @@
+// CW6…: fieldbus.

@@ -1,0 +1,1 @@
+// CW3…: language.

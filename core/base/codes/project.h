@@ -1,0 +1,1 @@
+// CW1…: project.

@@ -1,0 +1,1 @@
+// CW5…: runtime.
