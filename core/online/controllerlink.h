@@ -132,6 +132,13 @@ struct MonitorUpdate {
     std::vector<MonitoredValue> values;
 };
 
+/// An input or output of the virtual controller, for its panel.
+struct TerminalInfo {
+    std::string name;                 ///< "%I0.0", "Y2"
+    bool isInput = false;
+    bool operator==(const TerminalInfo&) const = default;
+};
+
 enum class LinkState : std::uint8_t { Offline, Connecting, Online, Lost };
 
 /// What a view may know of a controller. Every call returns at once; its callback is called exactly once, with a result, an
@@ -163,6 +170,9 @@ public:
     virtual RequestId write(std::string name, Value value, Reply<void>) = 0;
     virtual RequestId force(std::string name, Value value, Reply<void>) = 0;
     virtual RequestId release(std::string name, Reply<void>) = 0; ///< empty name: all
+    virtual RequestId forced(Reply<std::vector<MonitoredValue>>) = 0;
+    /// The terminals of a virtual controller; an input is switched by write().
+    virtual RequestId terminals(Reply<std::vector<TerminalInfo>>) = 0;
     /// What type a name has in the running program, so that typed text can be read.
     virtual RequestId describe(std::vector<std::string> names, Reply<std::vector<DataType>>) = 0;
 
