@@ -1,0 +1,106 @@
+#pragma once
+
+#include "core/base/diagnostic.h"
+#include "core/base/value.h"
+#include "core/family/address.h"
+#include "core/family/catalogue.h"
+#include "core/language/source/rung.h"
+#include "core/model/objects.h"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace camwright {
+
+/// An optional pin that was left empty.
+struct NoOperand {
+    bool operator==(const NoOperand&) const = default;
+};
+
+/// Memory. `type` is the type the instruction reads or writes there, already decided where the catalogue allows several.
+struct AddressOperand {
+    Address address;
+    DataType type = DataType::Bool;
+    std::string symbol; ///< the variable's name when it was written by name
+    bool operator==(const AddressOperand&) const = default;
+};
+
+/// A constant, already of the pin's type and inside its range.
+struct ConstantOperand {
+    Value value;
+    bool operator==(const ConstantOperand&) const = default;
+};
+
+/// The start of a list in memory. `elements` is known when the count is a constant or fixed by the instruction; the whole
+/// block is then inside its area.
+struct BlockOperand {
+    Address start;
+    DataType elementType = DataType::Byte;
+    std::optional<std::uint32_t> elements;
+    bool operator==(const BlockOperand&) const = default;
+};
+
+/// A subroutine that exists and does not lead back here.
+struct ProgramOperand {
+    std::string name;
+    bool operator==(const ProgramOperand&) const = default;
+};
+
+/// A label of the same program.
+struct LabelOperand {
+    std::string name;
+    bool operator==(const LabelOperand&) const = default;
+};
+
+using OperandValue = std::variant<NoOperand, AddressOperand, ConstantOperand, BlockOperand, ProgramOperand, LabelOperand>;
+
+/// One operand at its pin.
+struct CheckedOperand {
+    const Pin* pin = nullptr; ///< of the catalogue; never null
+    OperandValue value;
+    TextRange range;          ///< invalid for a pin that was not written
+};
+
+/// Statements without memory of their own.
+inline constexpr std::uint32_t NoInstance = 0xFFFFFFFF;
+
+/// One statement, all its operands known. Structural statements (StatementRole AndBlock … CloseGroup) have no operands;
+/// OpenAnd and OpenOr may have one contact operand, which the flow of the group begins with.
+struct CheckedStatement {
+    StatementRole role = StatementRole::Block;
+    ContactForm form = ContactForm::None;
+    const Instruction* instruction = nullptr; ///< null only for structural statements
+    std::vector<CheckedOperand> operands;     ///< one for each pin of the instruction, in the catalogue's order
+    DataType type = DataType::Bool;           ///< the type its generic pins (MOVE, EQ, ADD) share
+    std::uint32_t instance = NoInstance;      ///< hidden memory of an edge or a block: dense from 0 in each program
+    TextRange range;
+};
+
+/// One power-flow chain. The statements in order are what runs, with a stack of flows as StatementRole says; that is also
+/// true of a text rung. The tree is the same as a picture: its elements are indices into `statements`.
+struct CheckedRung {
+    std::vector<CheckedStatement> statements;
+    bool drawable = true;
+    RungNode tree;
+    TextRange range;
+};
+
+struct CheckedNetwork {
+    std::uint32_t number = 0;
+    std::vector<CheckedRung> rungs;
+    TextRange range;
+};
+
+/// A program without errors: every operand typed, in its area, in its range, and allowed on the model.
+struct CheckedProgram {
+    std::string name;
+    ProgramRole role = ProgramRole::Main;
+    DialectId dialect = DialectId::KincoIl;
+    std::vector<CheckedNetwork> networks;
+    std::uint32_t instances = 0;  ///< how many instance numbers are in use
+};
+
+} // namespace camwright
