@@ -1,0 +1,77 @@
+#pragma once
+
+#include "core/base/datatype.h"
+
+#include <cstdint>
+#include <string_view>
+
+namespace camwright {
+
+/// The operations. The numbers are permanent: images carry them, and a number is never used again for something else.
+/// Integers wrap around at the width of their type. NaN results are the canonical NaN (CONTRACTS 12).
+enum class IrOp : std::uint8_t {
+    Nop = 0,
+    Jump = 1,          ///< to `index`
+    JumpIf = 2,        ///< to `index` if a
+    JumpIfNot = 3,     ///< to `index` if not a
+    Call = 4,          ///< routine `index`
+    Return = 5,
+    Const = 8,         ///< dest := constant
+    Load = 9,          ///< dest := memory
+    Store = 10,        ///< memory := a
+    Not = 16,          ///< BOOL, or all bits of an integer
+    And = 17,
+    Or = 18,
+    Xor = 19,
+    Add = 24,
+    Sub = 25,
+    Mul = 26,
+    Div = 27,          ///< by zero: integers give 0, floats what IEEE 754 says; flagged either way. MIN / -1 wraps to MIN
+    Mod = 28,          ///< sign of the dividend; by zero: 0, flagged. Integers only
+    Neg = 29,
+    Abs = 30,          ///< of the smallest integer: itself
+    Sqrt = 31,         ///< floats; of a negative number: NaN, flagged
+    Min = 32,
+    Max = 33,
+    ShiftLeft = 40,    ///< by b (DWORD); a count of the width or more gives 0
+    ShiftRight = 41,   ///< fills with 0, for signed types too
+    RotateLeft = 42,   ///< by b modulo the width
+    RotateRight = 43,
+    Equal = 48,        ///< compares `type`, gives BOOL; with NaN only NotEqual is true
+    NotEqual = 49,
+    Greater = 50,
+    GreaterEqual = 51,
+    Less = 52,
+    LessEqual = 53,
+    Convert = 64,      ///< `from` to `type`: integers truncate, float to integer rounds to even, saturates, NaN gives 0
+    Truncate = 65,     ///< float `from` to integer `type` towards zero, saturates, NaN gives 0
+    Saturate = 66,     ///< integer `from` to integer `type`, out of range gives the nearest end
+    RisingEdge = 72,   ///< dest := a and not a of last time, kept at state[index]; the first execution sees no edge
+    FallingEdge = 73,
+    RisingEdgeFromZero = 74, ///< as RisingEdge, but before the first execution a counts as 0
+    Timer = 80,        ///< timer `index`: a is the input, b the preset (INT), dest the output
+    TimerReset = 81,   ///< timer `index`: value 0, output off, as if never started, if a
+    Counter = 82,      ///< counter `index`: a counts, b is the preset (type of the counter), dest the output; see CounterArm
+    CounterArm = 83,   ///< counter `index`: a is the reset (Up, T600*) or load (Down) input, b the second count input
+    CounterReset = 84, ///< counter `index`: value 0, output off, if a
+    Block = 90,        ///< block `index`: a is EN. Called on every pass; what EN = 0 means is the block's affair
+};
+
+/// Which fields of an instruction an operation uses, for reader, writer and verifier.
+struct IrShape {
+    enum class Index : std::uint8_t { None, Target, Routine, Timer, Counter, Block, EdgeState };
+    bool known = false;
+    bool dest = false, a = false, b = false;
+    bool address = false, constant = false, from = false;
+    Index index = Index::None;
+};
+
+IrShape shapeOf(IrOp op);
+std::string_view name(IrOp op);
+
+/// The type of what `op` writes to its destination when its operands are of `type`.
+DataType resultType(IrOp op, DataType type);
+/// Whether the operation exists for the type; Convert and its like also look at `from`.
+bool isAllowed(IrOp op, DataType type, DataType from);
+
+} // namespace camwright
