@@ -4,6 +4,7 @@
 #include "core/base/place.h"
 #include "core/model/field.h"
 
+#include <cstddef>
 #include <cstdint>
 #include <map>
 #include <memory>
@@ -12,6 +13,18 @@
 #include <vector>
 
 namespace camwright {
+
+/// Keys a reader did not know: dotted path as TOML writes it, and the value's canonical text. Kept so that a newer tool's
+/// file survives an older one.
+using UnknownKeys = std::map<std::string, std::string>;
+
+/// What the project says of itself. Its key is `projectKey()`.
+struct ProjectSettings {
+    std::string name;
+    std::string comment;
+
+    bool operator==(const ProjectSettings&) const = default;
+};
 
 /// Which controller the project is for, and how its program is run.
 struct ControllerSettings {
@@ -85,9 +98,19 @@ struct Variable {
     bool operator==(const Variable&) const = default;
 };
 
-/// A table of global variables. Large tables share unchanged chunks between snapshots.
+/// A table of global variables. Large tables share unchanged chunks between snapshots. No chunk is empty; where rows are
+/// cut into chunks means nothing and does not count in comparisons.
 struct VariableTable {
-    std::vector<std::shared_ptr<const std::vector<Variable>>> chunks;
+    using Chunk = std::shared_ptr<const std::vector<Variable>>;
+    std::vector<Chunk> chunks;
+
+    static VariableTable of(const std::vector<Variable>& rows);
+
+    std::size_t rowCount() const;
+    const Variable& row(std::size_t index) const; ///< index < rowCount()
+    std::vector<Variable> rows() const;           ///< all, copied
+    /// Rows [first, first + removed) replaced by `inserted`; chunks that no changed row lies in are shared.
+    VariableTable replaced(std::size_t first, std::size_t removed, const std::vector<Variable>& inserted) const;
 
     bool operator==(const VariableTable&) const;
 };
@@ -95,6 +118,8 @@ struct VariableTable {
 struct WatchRow {
     std::string expression;                         ///< address, variable or axis value
     std::string format;                             ///< "", "hex", "bin", "oct"
+    UnknownKeys unknown{};
+
     bool operator==(const WatchRow&) const = default;
 };
 
@@ -103,10 +128,10 @@ struct WatchTable {
     bool operator==(const WatchTable&) const = default;
 };
 
-using ObjectContent = std::variant<ControllerSettings, Axis, Network, Program, VariableTable, WatchTable>;
+using ObjectContent = std::variant<ControllerSettings, Axis, Network, Program, VariableTable, WatchTable, ProjectSettings>;
 
-/// A key the reader did not know, kept with its text so that a newer tool's file survives an older one.
-using UnknownKeys = std::map<std::string, std::string>;
+/// The kind whose objects hold this content.
+ObjectKind kindOf(const ObjectContent& content);
 
 /// What has a file of its own: identity, order in its list, content.
 struct Object {

@@ -10,11 +10,15 @@
 
 namespace camwright {
 
+/// The two objects of which a project has exactly one; they have no name of their own.
+inline ObjectKey projectKey() { return {ObjectKind::Project, ""}; }
+inline ObjectKey controllerKey() { return {ObjectKind::Controller, ""}; }
+
 /// A project: an immutable snapshot (CONTRACTS 1). Changing an object makes a new snapshot that shares all others, so a
 /// check or a compile owns one and needs no lock.
 class Project {
 public:
-    std::string_view name() const { return m_name; }
+    std::string_view name() const; ///< of the object `projectKey()`; empty if the project has none yet
     Project withName(std::string name) const;
 
     /// Null when there is no such object.
@@ -32,11 +36,14 @@ public:
 
     /// Adds or replaces by key; a null pointer removes.
     Project with(const ObjectKey& key, ObjectPtr object) const;
+    /// Adds or replaces an object with this content; order and unknown keys of a former one stay, a new one goes last.
+    Project withContent(const ObjectKey& key, ObjectContent content) const;
+    /// One more than the highest order in use of the kind, at least 1.
+    std::int64_t nextOrder(ObjectKind kind) const;
 
     bool operator==(const Project&) const; ///< compares values, not pointers
 
 private:
-    std::string m_name;
     std::map<ObjectKey, ObjectPtr> m_objects;
 };
 
