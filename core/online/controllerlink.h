@@ -79,6 +79,7 @@ struct DownloadPackage {
 struct PlanLine {
     std::string what;                 ///< "program Main", "axis Feed", "retained %VB0"
     std::string effect;               ///< English sentence: "changes", "stops for 0.2 s", "loses its home"
+    Diagnostic message;               ///< the same for other languages: code and arguments
     bool operator==(const PlanLine&) const = default;
 };
 
