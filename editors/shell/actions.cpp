@@ -1,0 +1,120 @@
+#include "editors/shell/actions.h"
+
+#include "editors/shell/icons.h"
+
+#include <QCoreApplication>
+
+namespace camwright {
+
+namespace {
+
+QString translated(const char* text)
+{
+    return text && *text ? QCoreApplication::translate("Actions", text) : QString();
+}
+
+} // namespace
+
+ActionCatalogue::ActionCatalogue(QObject* parent) : QObject(parent) {}
+
+void ActionCatalogue::add(const ActionRow& row)
+{
+    const QString id = QString::fromLatin1(row.id);
+    if (m_actions.contains(id))
+        return;
+    m_rows.push_back(row);
+    auto* made = new QAction(icon(QString::fromLatin1(row.icon)), translated(row.text), this);
+    made->setObjectName(id);
+    made->setCheckable(row.checkable);
+    made->setShortcutContext(Qt::WindowShortcut);
+    if (*row.keys)
+        made->setShortcuts(QKeySequence::listFromString(QString::fromLatin1(row.keys).replace(QLatin1String(", "), QLatin1String("; ")),
+            QKeySequence::PortableText));
+    m_actions.emplace(id, made);
+    made->setToolTip(toolTip(row));
+    made->setStatusTip(translated(row.toolTip));
+    emit actionAdded(made);
+}
+
+void ActionCatalogue::add(std::initializer_list<ActionRow> rows)
+{
+    for (const ActionRow& row : rows)
+        add(row);
+}
+
+QAction* ActionCatalogue::action(const QString& id) const
+{
+    const auto it = m_actions.find(id);
+    return it == m_actions.end() ? nullptr : it->second;
+}
+
+QString ActionCatalogue::toolTip(const ActionRow& row) const
+{
+    const QAction* made = action(QString::fromLatin1(row.id));
+    QString name = translated(row.text).remove(QLatin1String("...")).remove(QLatin1Char('&'));
+    if (made && !made->shortcut().isEmpty())
+        name += QStringLiteral(" (%1)").arg(made->shortcut().toString(QKeySequence::NativeText));
+    QString out = QStringLiteral("<b>%1</b><br>%2").arg(name.toHtmlEscaped(), translated(row.toolTip).toHtmlEscaped());
+    const auto reason = m_reasons.find(QString::fromLatin1(row.id));
+    if (reason != m_reasons.end() && !reason->second.isEmpty())
+        out += QStringLiteral("<br><i>%1</i>").arg(reason->second.toHtmlEscaped());
+    return out;
+}
+
+QString ActionCatalogue::whyDisabled(const ActionRow& row, Availability missing) const
+{
+    Q_UNUSED(row);
+    if (missing & Availability::ProjectOpen)
+        return tr("No project is open.");
+    if (missing & Availability::Online)
+        return tr("No controller is connected.");
+    if (missing & Availability::Offline)
+        return tr("A controller is connected already.");
+    if (missing & Availability::Running)
+        return tr("The controller does not run.");
+    if (missing & Availability::Stopped)
+        return tr("The controller runs already.");
+    if (missing & Availability::Idle)
+        return tr("A build or download is running.");
+    if (missing & Availability::CanUndo)
+        return tr("There is no step to undo.");
+    if (missing & Availability::CanRedo)
+        return tr("There is no step to redo.");
+    if (missing & Availability::Modified)
+        return tr("Everything is saved.");
+    if (missing & Availability::Problems)
+        return tr("There is no problem.");
+    return tr("The current view does not offer it.");
+}
+
+void ActionCatalogue::setState(Availability holding, const std::function<bool(const QString&)>& editorCan)
+{
+    for (const ActionRow& row : m_rows) {
+        const QString id = QString::fromLatin1(row.id);
+        unsigned missing = unsigned(row.availability) & ~unsigned(holding);
+        if (row.availability & Availability::Editor)
+            missing = editorCan(id) ? missing & ~unsigned(Availability::Editor) : missing | unsigned(Availability::Editor);
+        m_reasons[id] = missing ? whyDisabled(row, Availability(missing)) : QString();
+        QAction* made = m_actions.at(id);
+        made->setEnabled(missing == 0);
+        made->setToolTip(toolTip(row));
+    }
+}
+
+void ActionCatalogue::retranslate()
+{
+    for (const ActionRow& row : m_rows) {
+        QAction* made = m_actions.at(QString::fromLatin1(row.id));
+        made->setText(translated(row.text));
+        made->setToolTip(toolTip(row));
+        made->setStatusTip(translated(row.toolTip));
+    }
+}
+
+void ActionCatalogue::setKeys(const QString& id, const QList<QKeySequence>& keys)
+{
+    if (QAction* made = action(id))
+        made->setShortcuts(keys);
+}
+
+} // namespace camwright

@@ -1,0 +1,163 @@
+#include "editors/words/words.h"
+
+#include <QCoreApplication>
+#include <QLocale>
+#include <QTranslator>
+
+#include <memory>
+#include <vector>
+
+namespace camwright::words {
+
+namespace {
+
+struct Installed {
+    QString language = QStringLiteral("en");
+    std::vector<std::unique_ptr<QTranslator>> translators;
+};
+
+Installed& installed()
+{
+    static Installed state;
+    return state;
+}
+
+QString text(const std::string& utf8)
+{
+    return QString::fromUtf8(utf8.data(), qsizetype(utf8.size()));
+}
+
+/// "rows[3].guardTimeMs" to words people read: the last part, split at capitals.
+QString fieldWords(const std::string& field)
+{
+    QString out;
+    for (const QChar c : text(field)) {
+        if (c.isUpper()) {
+            out += QLatin1Char(' ');
+            out += c.toLower();
+        } else {
+            out += c == QLatin1Char('.') ? QLatin1Char(' ') : c;
+        }
+    }
+    for (const char* unit : {" ms", " us"}) {
+        if (out.endsWith(QLatin1String(unit)))
+            out.chop(qsizetype(qstrlen(unit)));
+    }
+    return out;
+}
+
+} // namespace
+
+QString sentence(const Diagnostic& diagnostic)
+{
+    const std::string_view english = codeInfo(diagnostic.code).text;
+    const QString translated = QCoreApplication::translate("Diagnostics", std::string(english).c_str());
+    return text(fillTemplate(translated.toStdString(), diagnostic.arguments));
+}
+
+QString codeId(Code code)
+{
+    const std::string_view id = codeInfo(code).id;
+    return QString::fromLatin1(id.data(), qsizetype(id.size()));
+}
+
+QString severityWord(Severity severity)
+{
+    switch (severity) {
+    case Severity::Error: return QCoreApplication::translate("Words", "error");
+    case Severity::Warning: return QCoreApplication::translate("Words", "warning");
+    case Severity::Information: break;
+    }
+    return QCoreApplication::translate("Words", "note");
+}
+
+QString kindWord(ObjectKind kind)
+{
+    switch (kind) {
+    case ObjectKind::Project: return QCoreApplication::translate("Words", "project");
+    case ObjectKind::Controller: return QCoreApplication::translate("Words", "controller");
+    case ObjectKind::Axis: return QCoreApplication::translate("Words", "axis");
+    case ObjectKind::Network: return QCoreApplication::translate("Words", "network");
+    case ObjectKind::Program: return QCoreApplication::translate("Words", "program");
+    case ObjectKind::VariableTable: return QCoreApplication::translate("Words", "variable table");
+    case ObjectKind::WatchTable: return QCoreApplication::translate("Words", "watch list");
+    }
+    return {};
+}
+
+QString placeText(const Place& place)
+{
+    QStringList parts;
+    if (!place.object.name.empty())
+        parts << text(place.object.name);
+    else if (place.object.kind != ObjectKind::Project)
+        parts << kindWord(place.object.kind);
+    else if (!place.file.empty())
+        parts << text(place.file);
+    if (place.range.isValid())
+        parts << QCoreApplication::translate("Words", "line %1, column %2").arg(place.range.line).arg(place.range.column);
+    else if (!place.field.empty())
+        parts << fieldWords(place.field);
+    return parts.join(QStringLiteral(", "));
+}
+
+QStringList languages()
+{
+    return {QStringLiteral("en"), QStringLiteral("zh"), QStringLiteral("ru")};
+}
+
+QString languageName(const QString& language)
+{
+    if (language == QLatin1String("zh"))
+        return QStringLiteral("中文");
+    if (language == QLatin1String("ru"))
+        return QStringLiteral("Русский");
+    return QStringLiteral("English");
+}
+
+bool setLanguage(QCoreApplication& application, const QString& language, const QString& directory)
+{
+    Installed& state = installed();
+    std::vector<std::unique_ptr<QTranslator>> fresh;
+    if (language != QLatin1String("en")) {
+        const QString folder = directory.isEmpty() ? QStringLiteral(":/translations") : directory;
+        auto ours = std::make_unique<QTranslator>();
+        if (!ours->load(QStringLiteral("camwright_") + language, folder))
+            return false;
+        fresh.push_back(std::move(ours));
+    }
+    for (const auto& old : state.translators)
+        application.removeTranslator(old.get());
+    state.translators = std::move(fresh);
+    state.language = language;
+    for (const auto& translator : state.translators)
+        application.installTranslator(translator.get());
+    return true;
+}
+
+QString currentLanguage()
+{
+    return installed().language;
+}
+
+QString systemLanguage()
+{
+    for (const QString& wanted : QLocale::system().uiLanguages()) {
+        const QString language = wanted.section(QLatin1Char('-'), 0, 0);
+        if (languages().contains(language))
+            return language;
+    }
+    return QStringLiteral("en");
+}
+
+QString pick(const std::string& english, const std::string& chinese, const std::string& russian)
+{
+    const QString& language = installed().language;
+    if (language == QLatin1String("zh") && !chinese.empty())
+        return text(chinese);
+    if (language == QLatin1String("ru") && !russian.empty())
+        return text(russian);
+    return text(english);
+}
+
+} // namespace camwright::words

@@ -1,0 +1,38 @@
+#pragma once
+
+#include "core/base/diagnostic.h"
+
+#include <QString>
+#include <QStringList>
+
+class QCoreApplication;
+
+/// Codes and arguments into sentences, in the language of the program. Qt Core only, so that the command line has it too.
+namespace camwright::words {
+
+/// The sentence of a diagnostic in the current language.
+QString sentence(const Diagnostic& diagnostic);
+/// "CW3001".
+QString codeId(Code code);
+/// "error", "warning", "note".
+QString severityWord(Severity severity);
+/// The word for a kind of object: "axis".
+QString kindWord(ObjectKind kind);
+/// "program Main, line 4, column 7", "axis Feed, guard time": where it is, for lists.
+QString placeText(const Place& place);
+
+/// "en", "zh", "ru".
+QStringList languages();
+/// The language's own name: "English", "中文", "Русский".
+QString languageName(const QString& language);
+/// Loads the translation files of `language` from `directory` (or the resource ":/translations") and installs them; English
+/// removes them. False when the language has no file, English stays then.
+bool setLanguage(QCoreApplication& application, const QString& language, const QString& directory = {});
+QString currentLanguage();
+/// What the system asks for, as one of languages(); English when it is none of them.
+QString systemLanguage();
+
+/// Picks the text of the current language from texts per language, English where it is empty.
+QString pick(const std::string& english, const std::string& chinese, const std::string& russian);
+
+} // namespace camwright::words
