@@ -13,11 +13,15 @@ enum class Severity : std::uint8_t { Information, Warning, Error };
 
 /// Every message Camwright can give, one name each. The texts stand in core/base/codes/*.h, a file an area; the page that
 /// explains a code and its way out is resources/diagnostics/<id>.md.
+#ifdef Q_MOC_RUN
+enum class Code : std::uint16_t; // moc cannot read an #include inside an enumeration
+#else
 enum class Code : std::uint16_t {
 #define CAMWRIGHT_CODE(name, id, severity, text) name,
 #include "core/base/codes/all.h"
 #undef CAMWRIGHT_CODE
 };
+#endif
 
 struct CodeInfo {
     Code code;

@@ -1,6 +1,8 @@
 #pragma once
 
-#include <compare>
+#ifndef Q_MOC_RUN
+#include <compare> // moc cannot read it as the first header of a file
+#endif
 #include <cstdint>
 #include <string>
 

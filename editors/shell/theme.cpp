@@ -169,7 +169,7 @@ QString Theme::styleSheet() const
                 out += name(Role(i));
         }
     }
-    return out + QStringView(sheet).mid(last);
+    return out + sheet.mid(last);
 }
 
 void Theme::applyToApplication()
