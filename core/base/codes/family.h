@@ -1,1 +1,16 @@
-// CW2…: family.
+// CW2…: family. CW20: addresses. CW21: the tables of a family's data.
+CAMWRIGHT_CODE(AddressUnknownArea, "CW2001", Error, CW_TEXT("Diagnostics", "\"%1\" names no memory area of %2. The areas are %3."))
+CAMWRIGHT_CODE(AddressMissingPercent, "CW2002", Error, CW_TEXT("Diagnostics", "The address \"%1\" lacks its percent sign. Write \"%2\"."))
+CAMWRIGHT_CODE(AddressMalformed, "CW2003", Error, CW_TEXT("Diagnostics", "\"%1\" is not a complete address. Write it like \"%2\"."))
+CAMWRIGHT_CODE(AddressForeignCharacter, "CW2004", Error, CW_TEXT("Diagnostics", "\"%1\" holds the character \"%2\", which no address has. Type Latin letters and digits without blanks."))
+CAMWRIGHT_CODE(AddressOutOfRange, "CW2005", Error, CW_TEXT("Diagnostics", "\"%1\" lies outside its memory area. On %2 the legal range is %3 to %4."))
+CAMWRIGHT_CODE(AddressNotOctal, "CW2006", Error, CW_TEXT("Diagnostics", "\"%1\" has the digit %2, but these numbers are octal: use the digits 0 to 7."))
+CAMWRIGHT_CODE(AddressBitOutOfRange, "CW2007", Error, CW_TEXT("Diagnostics", "\"%1\" names bit %2. The bits are 0 to %3."))
+CAMWRIGHT_CODE(AddressOddByte, "CW2008", Error, CW_TEXT("Diagnostics", "\"%1\" starts at an odd byte. Words, double words and reals start at an even one: use \"%2\" or \"%3\"."))
+CAMWRIGHT_CODE(AddressFormNotAllowed, "CW2009", Error, CW_TEXT("Diagnostics", "\"%1\" is not a form of area %2. Its forms are %3."))
+CAMWRIGHT_CODE(AddressNotOfType, "CW2010", Error, CW_TEXT("Diagnostics", "\"%1\" cannot be used as %2. It can be %3."))
+CAMWRIGHT_CODE(TableQuoteOpen, "CW2101", Error, CW_TEXT("Diagnostics", "A quoted cell does not end. Close it with a quotation mark followed by a comma or the end of the line."))
+CAMWRIGHT_CODE(TableRowWidth, "CW2102", Error, CW_TEXT("Diagnostics", "This row has %1 cells, but the header has %2."))
+CAMWRIGHT_CODE(TableColumnMissing, "CW2103", Error, CW_TEXT("Diagnostics", "Column \"%1\" is missing from the header."))
+CAMWRIGHT_CODE(TableCellIllegal, "CW2104", Error, CW_TEXT("Diagnostics", "\"%1\" is not legal in column \"%2\". Legal is: %3."))
+CAMWRIGHT_CODE(TableDuplicate, "CW2105", Error, CW_TEXT("Diagnostics", "\"%1\" stands twice in column \"%2\"."))
