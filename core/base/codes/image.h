@@ -1,1 +1,10 @@
-// CW4…: image.
+// CW4…: image. CW400: reading one, CW404: building one.
+CAMWRIGHT_CODE(NotAnImage, "CW4001", Error, CW_TEXT("Diagnostics", "This is not a controller image: it does not begin like one."))
+CAMWRIGHT_CODE(ImageVersionUnknown, "CW4002", Error, CW_TEXT("Diagnostics", "The image has format version %1; this program reads version %2. Build the project again with this version."))
+CAMWRIGHT_CODE(ImageCutShort, "CW4003", Error, CW_TEXT("Diagnostics", "The image is incomplete: %1 bytes are there, %2 are needed. Build or download it again."))
+CAMWRIGHT_CODE(ImagePartDamaged, "CW4004", Error, CW_TEXT("Diagnostics", "The image is damaged: the check sum of its part \"%1\" is wrong. Build or download it again."))
+CAMWRIGHT_CODE(ImageMalformed, "CW4005", Error, CW_TEXT("Diagnostics", "The image's part \"%1\" is malformed. Build the project again with this version."))
+CAMWRIGHT_CODE(ImageUnsafe, "CW4006", Error, CW_TEXT("Diagnostics", "The image would not be safe to run (%1) and is refused. Build the project again with this version."))
+CAMWRIGHT_CODE(NotSimulated, "CW4040", Warning, CW_TEXT("Diagnostics", "%1 has no effect on the virtual controller: %2"))
+CAMWRIGHT_CODE(ProgramMissing, "CW4041", Error, CW_TEXT("Diagnostics", "The project has no main program. Add a program with the role \"main\"."))
+CAMWRIGHT_CODE(CallsTooDeep, "CW4042", Error, CW_TEXT("Diagnostics", "Subroutine calls nest deeper than %1 levels. Call \"%2\" from a routine nearer to the main program."))

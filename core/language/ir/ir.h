@@ -38,7 +38,7 @@ struct IrInstruction {
     IrAddress address;              ///< Load, Store
     std::uint32_t index = 0;        ///< jump target, routine, timer, counter, block or edge slot
     std::uint64_t constant = 0;     ///< Const: the bits as they lie in memory, zero-extended
-    std::uint32_t source = 0;       ///< index into DebugMap::sources; not part of the program's hash
+    std::uint32_t source = 0;       ///< 1 + index into DebugMap::sources, 0: nowhere; not part of the program's hash
 
     bool operator==(const IrInstruction&) const = default;
 };
@@ -73,6 +73,7 @@ struct IrCounter {
 
 inline constexpr std::uint32_t TimerStateBytes = 24;
 inline constexpr std::uint32_t CounterStateBytes = 4;
+inline constexpr std::uint32_t MaximumStateBytes = 1u << 24;
 
 /// What a call passes to one pin of a block: a constant, or a place in memory; nothing where an optional pin is left open.
 struct IrPin {

@@ -46,9 +46,8 @@ enum class IrOp : std::uint8_t {
     Convert = 64,      ///< `from` to `type`: integers truncate, float to integer rounds to even, saturates, NaN gives 0
     Truncate = 65,     ///< float `from` to integer `type` towards zero, saturates, NaN gives 0
     Saturate = 66,     ///< integer `from` to integer `type`, out of range gives the nearest end
-    RisingEdge = 72,   ///< dest := a and not a of last time, kept at state[index]; the first execution sees no edge
-    FallingEdge = 73,
-    RisingEdgeFromZero = 74, ///< as RisingEdge, but before the first execution a counts as 0
+    RisingEdge = 72,   ///< dest := a and not a of last time, which is kept at state[index] and 0 before the first time
+    FallingEdge = 73,  ///< dest := not a and a of last time
     Timer = 80,        ///< timer `index`: a is the input, b the preset (INT), dest the output
     TimerReset = 81,   ///< timer `index`: value 0, output off, as if never started, if a
     Counter = 82,      ///< counter `index`: a counts, b is the preset (type of the counter), dest the output; see CounterArm
@@ -60,17 +59,19 @@ enum class IrOp : std::uint8_t {
 /// Which fields of an instruction an operation uses, for reader, writer and verifier.
 struct IrShape {
     enum class Index : std::uint8_t { None, Target, Routine, Timer, Counter, Block, EdgeState };
-    bool known = false;
+    bool known = false;          ///< false: no such operation
     bool dest = false, a = false, b = false;
     bool address = false, constant = false, from = false;
     Index index = Index::None;
 };
 
-IrShape shapeOf(IrOp op);
+const IrShape& shapeOf(IrOp op);
 std::string_view name(IrOp op);
 
 /// The type of what `op` writes to its destination when its operands are of `type`.
 DataType resultType(IrOp op, DataType type);
+/// The type of operand b: that of the operation, but a DWORD count for shifts.
+DataType secondOperandType(IrOp op, DataType type);
 /// Whether the operation exists for the type; Convert and its like also look at `from`.
 bool isAllowed(IrOp op, DataType type, DataType from);
 

@@ -64,7 +64,4 @@ private:
     std::uint32_t m_main = 0;
 };
 
-/// Writes every forced value.
-void applyForces(Memory& memory, std::span<const Force> forces);
-
 } // namespace camwright

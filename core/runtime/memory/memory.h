@@ -18,8 +18,8 @@ namespace camwright {
 class Memory {
 public:
     Memory() = default;
-    /// All zero. `stateBytes` and `scratchBytes` are the executor's.
-    Memory(const MemoryLayout& layout, std::uint32_t stateBytes, std::uint32_t scratchBytes);
+    /// All zero. The layout is one that verify() accepts; `stateBytes` is IrProgram::stateBytes.
+    Memory(const MemoryLayout& layout, std::uint32_t stateBytes);
 
     /// Whether the address lies wholly inside its area.
     bool contains(const Address& address) const;
@@ -40,7 +40,8 @@ public:
     void save(ByteWriter& writer) const;
     bool restore(ByteReader& reader);
 
-    /// For the executor: everything as one array, and where its parts begin.
+    /// For the executor: everything as one array, and where its parts begin. Scratch begins at an offset divisible by 8.
+    void reserveScratch(std::uint32_t bytes);
     std::uint8_t* data() { return m_bytes.data(); }
     const std::uint8_t* data() const { return m_bytes.data(); }
     std::uint32_t offsetOf(AreaId area, std::uint32_t byte) const { return m_areas[area].offset + byte; }
@@ -66,5 +67,8 @@ struct Force {
 
     bool operator==(const Force&) const = default;
 };
+
+/// Writes every forced value.
+void applyForces(Memory& memory, std::span<const Force> forces);
 
 } // namespace camwright

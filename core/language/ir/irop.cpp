@@ -1,0 +1,180 @@
+#include "core/language/ir/irop.h"
+
+namespace camwright {
+
+namespace {
+
+struct Row {
+    IrOp op;
+    std::string_view name;
+    std::string_view fields; ///< d dest, a, b, m memory address, c constant, f from
+    IrShape::Index index = IrShape::Index::None;
+};
+
+constexpr Row Rows[] = {
+    {IrOp::Nop, "nop", ""},
+    {IrOp::Jump, "jump", "", IrShape::Index::Target},
+    {IrOp::JumpIf, "jump_if", "a", IrShape::Index::Target},
+    {IrOp::JumpIfNot, "jump_if_not", "a", IrShape::Index::Target},
+    {IrOp::Call, "call", "", IrShape::Index::Routine},
+    {IrOp::Return, "return", ""},
+    {IrOp::Const, "const", "dc"},
+    {IrOp::Load, "load", "dm"},
+    {IrOp::Store, "store", "am"},
+    {IrOp::Not, "not", "da"},
+    {IrOp::And, "and", "dab"},
+    {IrOp::Or, "or", "dab"},
+    {IrOp::Xor, "xor", "dab"},
+    {IrOp::Add, "add", "dab"},
+    {IrOp::Sub, "sub", "dab"},
+    {IrOp::Mul, "mul", "dab"},
+    {IrOp::Div, "div", "dab"},
+    {IrOp::Mod, "mod", "dab"},
+    {IrOp::Neg, "neg", "da"},
+    {IrOp::Abs, "abs", "da"},
+    {IrOp::Sqrt, "sqrt", "da"},
+    {IrOp::Min, "min", "dab"},
+    {IrOp::Max, "max", "dab"},
+    {IrOp::ShiftLeft, "shift_left", "dab"},
+    {IrOp::ShiftRight, "shift_right", "dab"},
+    {IrOp::RotateLeft, "rotate_left", "dab"},
+    {IrOp::RotateRight, "rotate_right", "dab"},
+    {IrOp::Equal, "equal", "dab"},
+    {IrOp::NotEqual, "not_equal", "dab"},
+    {IrOp::Greater, "greater", "dab"},
+    {IrOp::GreaterEqual, "greater_equal", "dab"},
+    {IrOp::Less, "less", "dab"},
+    {IrOp::LessEqual, "less_equal", "dab"},
+    {IrOp::Convert, "convert", "daf"},
+    {IrOp::Truncate, "truncate", "daf"},
+    {IrOp::Saturate, "saturate", "daf"},
+    {IrOp::RisingEdge, "rising_edge", "da", IrShape::Index::EdgeState},
+    {IrOp::FallingEdge, "falling_edge", "da", IrShape::Index::EdgeState},
+    {IrOp::Timer, "timer", "dab", IrShape::Index::Timer},
+    {IrOp::TimerReset, "timer_reset", "a", IrShape::Index::Timer},
+    {IrOp::Counter, "counter", "dab", IrShape::Index::Counter},
+    {IrOp::CounterArm, "counter_arm", "ab", IrShape::Index::Counter},
+    {IrOp::CounterReset, "counter_reset", "a", IrShape::Index::Counter},
+    {IrOp::Block, "block", "a", IrShape::Index::Block},
+};
+
+const Row* row(IrOp op)
+{
+    for (const Row& r : Rows) {
+        if (r.op == op)
+            return &r;
+    }
+    return nullptr;
+}
+
+struct ShapeTable {
+    IrShape shapes[256];
+
+    ShapeTable()
+    {
+        for (const Row& r : Rows) {
+            IrShape& s = shapes[static_cast<unsigned>(r.op)];
+            s.known = true;
+            s.index = r.index;
+            for (const char field : r.fields) {
+                s.dest |= field == 'd';
+                s.a |= field == 'a';
+                s.b |= field == 'b';
+                s.address |= field == 'm';
+                s.constant |= field == 'c';
+                s.from |= field == 'f';
+            }
+        }
+    }
+};
+
+bool isComparison(IrOp op)
+{
+    return op >= IrOp::Equal && op <= IrOp::LessEqual;
+}
+
+bool isEdge(IrOp op)
+{
+    return op == IrOp::RisingEdge || op == IrOp::FallingEdge;
+}
+
+bool isConversionAllowed(IrOp op, DataType type, DataType from)
+{
+    switch (op) {
+    case IrOp::Convert: return type != DataType::Bool && from != DataType::Bool;
+    case IrOp::Truncate: return isInteger(type) && isFloat(from);
+    default: return isInteger(type) && isInteger(from);
+    }
+}
+
+} // namespace
+
+const IrShape& shapeOf(IrOp op)
+{
+    static const ShapeTable table;
+    return table.shapes[static_cast<unsigned>(op)];
+}
+
+std::string_view name(IrOp op)
+{
+    const Row* r = row(op);
+    return r ? r->name : std::string_view("?");
+}
+
+DataType resultType(IrOp op, DataType type)
+{
+    const bool givesBool = isComparison(op) || isEdge(op) || op == IrOp::Timer || op == IrOp::Counter;
+    return givesBool ? DataType::Bool : type;
+}
+
+DataType secondOperandType(IrOp op, DataType type)
+{
+    switch (op) {
+    case IrOp::ShiftLeft:
+    case IrOp::ShiftRight:
+    case IrOp::RotateLeft:
+    case IrOp::RotateRight: return DataType::Dword;
+    default: return type;
+    }
+}
+
+bool isAllowed(IrOp op, DataType type, DataType from)
+{
+    switch (op) {
+    case IrOp::Const:
+    case IrOp::Load:
+    case IrOp::Store:
+    case IrOp::Equal:
+    case IrOp::NotEqual: return true;
+    case IrOp::Not:
+    case IrOp::And:
+    case IrOp::Or:
+    case IrOp::Xor: return !isFloat(type);
+    case IrOp::Mod:
+    case IrOp::ShiftLeft:
+    case IrOp::ShiftRight:
+    case IrOp::RotateLeft:
+    case IrOp::RotateRight: return isInteger(type);
+    case IrOp::Sqrt: return isFloat(type);
+    case IrOp::Convert:
+    case IrOp::Truncate:
+    case IrOp::Saturate: return isConversionAllowed(op, type, from);
+    case IrOp::Timer: return type == DataType::Int;
+    case IrOp::Counter: return type == DataType::Int || type == DataType::Dint;
+    case IrOp::Add:
+    case IrOp::Sub:
+    case IrOp::Mul:
+    case IrOp::Div:
+    case IrOp::Neg:
+    case IrOp::Abs:
+    case IrOp::Min:
+    case IrOp::Max:
+    case IrOp::Greater:
+    case IrOp::GreaterEqual:
+    case IrOp::Less:
+    case IrOp::LessEqual: return type != DataType::Bool;
+    default: return type == DataType::Bool; // control, edges, calls: the type means nothing
+    }
+}
+
+} // namespace camwright

@@ -1,0 +1,35 @@
+#pragma once
+
+#include "core/runtime/executor/bytecode.h"
+
+namespace camwright {
+
+/// The handler for a computing operation on a type; null if computing is not its business or it does not exist.
+/// Step: dest, a, b as in the IR; extra is the IR instruction, for faults.
+Handler computingHandler(IrOp op, DataType type, DataType from);
+/// Copies a value of the type from a to dest.
+Handler copyHandler(DataType type);
+
+// Networks: a is the first contact.
+const Step* networkToByte(Frame& frame, const Step* step);
+const Step* networkToBit(Frame& frame, const Step* step);     ///< extra: mask
+const Step* networkJumpIf(Frame& frame, const Step* step);    ///< dest: step; b: this instruction; extra: target instruction
+const Step* networkJumpIfNot(Frame& frame, const Step* step);
+
+// Control: b is the IR instruction.
+const Step* jump(Frame& frame, const Step* step);             ///< dest: step; extra: target instruction
+const Step* callRoutine(Frame& frame, const Step* step);      ///< dest: routine
+const Step* returnFromRoutine(Frame& frame, const Step* step);
+const Step* callBlock(Frame& frame, const Step* step);        ///< a: EN; extra: block
+
+const Step* risingEdge(Frame& frame, const Step* step);       ///< extra: offset of the remembered input
+const Step* fallingEdge(Frame& frame, const Step* step);
+
+// Timers and counters: extra is the index into the bytecode's table.
+Handler timerHandler(TimerKind kind);
+const Step* resetTimer(Frame& frame, const Step* step);       ///< a: whether
+Handler counterHandler(bool isWide);
+const Step* armCounter(Frame& frame, const Step* step);
+const Step* resetCounter(Frame& frame, const Step* step);     ///< a: whether
+
+} // namespace camwright

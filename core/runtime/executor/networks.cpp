@@ -1,0 +1,133 @@
+#include "core/runtime/executor/access.h"
+#include "core/runtime/executor/handlers.h"
+
+namespace camwright {
+
+namespace {
+
+inline bool evaluate(const Frame& frame, std::uint32_t first)
+{
+    const Contact* contact = frame.code->contacts.data() + first;
+    unsigned result = 0;
+    for (;; ++contact) {
+        const unsigned flags = contact->flags;
+        const unsigned isOr = flags & Contact::Or;
+        const unsigned bit = ((frame.bytes[contact->offset] & contact->mask) != 0 ? 1u : 0u) ^ ((flags & Contact::Negated) >> 1);
+        result = (result & (bit | isOr)) | (bit & isOr);
+        result ^= (flags & Contact::InvertResult) >> 3;
+        if (flags & Contact::Last)
+            return result != 0;
+    }
+}
+
+const Step* jumpTo(Frame& frame, const Step* step)
+{
+    const bool mayGoOn = frame.count(step->b);
+    frame.segment = step->extra;
+    return mayGoOn ? frame.code->steps.data() + step->dest : nullptr;
+}
+
+} // namespace
+
+const Step* networkToByte(Frame& frame, const Step* step)
+{
+    frame.bytes[step->dest] = evaluate(frame, step->a) ? 1 : 0;
+    return step + 1;
+}
+
+const Step* networkToBit(Frame& frame, const Step* step)
+{
+    const bool value = evaluate(frame, step->a);
+    const std::uint8_t byte = frame.bytes[step->dest];
+    const unsigned mask = step->extra;
+    frame.bytes[step->dest] = static_cast<std::uint8_t>((byte & ~mask) | (value ? mask : 0u));
+    return step + 1;
+}
+
+const Step* networkJumpIf(Frame& frame, const Step* step)
+{
+    return evaluate(frame, step->a) ? jumpTo(frame, step) : step + 1;
+}
+
+const Step* networkJumpIfNot(Frame& frame, const Step* step)
+{
+    return evaluate(frame, step->a) ? step + 1 : jumpTo(frame, step);
+}
+
+const Step* jump(Frame& frame, const Step* step)
+{
+    return jumpTo(frame, step);
+}
+
+const Step* callRoutine(Frame& frame, const Step* step)
+{
+    if (!frame.count(step->b))
+        return nullptr;
+    frame.returns[frame.depth++] = {step + 1, step->b + 1, frame.routine};
+    frame.segment = 0;
+    frame.routine = step->dest;
+    return frame.code->steps.data() + frame.code->entries[step->dest];
+}
+
+const Step* returnFromRoutine(Frame& frame, const Step* step)
+{
+    if (!frame.count(step->b) || frame.depth == 0)
+        return nullptr;
+    const Frame::Return& back = frame.returns[--frame.depth];
+    frame.segment = back.segment;
+    frame.routine = back.routine;
+    return back.next;
+}
+
+const Step* callBlock(Frame& frame, const Step* step)
+{
+    if (frame.host) {
+        const IrBlock& block = frame.program->blocks[step->extra];
+        PinValues pins(*frame.memory, block);
+        const BlockInstance instance{block.instance, frame.bytes[step->a] != 0, frame.now};
+        frame.host->call(static_cast<InstructionId>(block.instruction), instance, pins);
+    }
+    return step + 1;
+}
+
+const Step* risingEdge(Frame& frame, const Step* step)
+{
+    const bool now = frame.bytes[step->a] != 0;
+    const bool before = frame.bytes[step->extra] != 0;
+    frame.bytes[step->extra] = now ? 1 : 0;
+    frame.bytes[step->dest] = now && !before ? 1 : 0;
+    return step + 1;
+}
+
+const Step* fallingEdge(Frame& frame, const Step* step)
+{
+    const bool now = frame.bytes[step->a] != 0;
+    const bool before = frame.bytes[step->extra] != 0;
+    frame.bytes[step->extra] = now ? 1 : 0;
+    frame.bytes[step->dest] = !now && before ? 1 : 0;
+    return step + 1;
+}
+
+bool Frame::count(std::uint32_t instruction)
+{
+    operations += instruction + 1 - segment;
+    segment = instruction + 1;
+    if (operations <= budget)
+        return true;
+    outOfOperations = true;
+    stopRoutine = routine;
+    stopInstruction = instruction;
+    return false;
+}
+
+void Frame::fault(std::uint32_t instruction)
+{
+    if (faults++ == 0) {
+        stopRoutine = routine;
+        stopInstruction = instruction;
+    }
+    if (code->hasErrorFlag)
+        storeBit(*this, code->errorFlag, code->errorFlagMask, true);
+}
+
+} // namespace camwright
