@@ -49,13 +49,7 @@ struct ProgramOperand {
     bool operator==(const ProgramOperand&) const = default;
 };
 
-/// A label of the same program.
-struct LabelOperand {
-    std::string name;
-    bool operator==(const LabelOperand&) const = default;
-};
-
-using OperandValue = std::variant<NoOperand, AddressOperand, ConstantOperand, BlockOperand, ProgramOperand, LabelOperand>;
+using OperandValue = std::variant<NoOperand, AddressOperand, ConstantOperand, BlockOperand, ProgramOperand>;
 
 /// One operand at its pin.
 struct CheckedOperand {

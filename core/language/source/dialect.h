@@ -27,8 +27,6 @@ enum class StatementRole : std::uint8_t {
     Flow,      ///< makes a new flow of the old one without an operand: R_TRIG, F_TRIG, NOT, INV
     Output,    ///< ST, S, R, OUT, SET, RST: uses the flow, leaves it
     Block,     ///< any other instruction; what it makes of the flow says the catalogue
-    Jump,      ///< JMP and its like: uses the flow
-    Label,     ///< a place to jump to: belongs to no flow
     Invalid,   ///< a line that is no statement; kept as text
 };
 
@@ -41,7 +39,7 @@ struct MnemonicShape {
     StatementRole role = StatementRole::Block;
     ContactForm form = ContactForm::None;
     DialectId dialect = DialectId::KincoIl;
-    /// Width letter inside a TS600 comparison: ' ' for INT ("LD="), 'D' for DINT ("LDD="), 'R' for REAL ("LDR=").
+    /// Width letter inside a TS600 comparison: ' ' for INT ("LD="), 'D' for DINT ("LDD=").
     char width = ' ';
 
     bool operator==(const MnemonicShape&) const = default;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/base/diagnostic.h"
+#include "core/language/source/diagnosticsink.h"
 #include "core/language/source/rung.h"
 
 #include <cstdint>
@@ -33,17 +34,16 @@ struct ParsedProgram {
     std::string prologue;                    ///< before the first network, the "(*n*)" line of .ilp files included
     std::vector<ParsedNetwork> networks;
     std::string epilogue;                    ///< the END line and what follows
+    bool crlf = false;                       ///< the first line ends with \r\n; edited rungs are written likewise
     Diagnostics diagnostics;                 ///< at most MaximumDiagnostics, then one that says so
 };
-
-/// Diagnostics a stage collects before it says that there are more.
-inline constexpr std::size_t MaximumDiagnostics = 300;
 
 /// Reads a program. Never fails: what is not understood becomes an Invalid statement and a diagnostic. Time and memory
 /// are linear in the text. Line ends may be \n or \r\n. `object` is put into the places of the diagnostics.
 ParsedProgram parseIl(const Dialect& dialect, std::string_view text, const ObjectKey& object = {});
 
-/// The tree of a list of statements: the picture of a rung. Sets `drawable`, `tree`; the statements stay.
-void drawRung(const Dialect& dialect, Rung& rung);
+/// The tree of a list of statements: the picture of a rung. Sets `drawable` and `tree`; the statements stay. Reports what is
+/// wrong with the flow (a missing LD, ANB without two flows, an open branch) if there is a sink.
+void drawRung(const Dialect& dialect, Rung& rung, DiagnosticSink* sink = nullptr);
 
 } // namespace camwright

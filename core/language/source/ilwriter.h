@@ -2,6 +2,7 @@
 
 #include "core/language/source/ilparser.h"
 
+#include <optional>
 #include <string>
 
 namespace camwright {
@@ -14,7 +15,8 @@ std::string writeRung(const Dialect& dialect, const Rung& rung);
 
 /// The statements of a drawn rung in the dialect's own words: contacts get the mnemonic of their place, ANB, MPS or AND(
 /// are put where the tree needs them. Elements are taken from `rung.statements`; comments of structural statements move
-/// to the element that follows. A text rung comes back as it is.
-Rung linearize(const Dialect& dialect, const Rung& rung);
+/// to the element that follows. A text rung comes back as it is; a tree that the dialect has no words for (a fork on Kinco)
+/// gives nothing.
+std::optional<Rung> linearize(const Dialect& dialect, const Rung& rung);
 
 } // namespace camwright

@@ -13,6 +13,7 @@ enum class OperandKind : std::uint8_t {
     Text,    ///< an address, a constant, a name: what it is says the next stage
     Missing, ///< ??? : to be filled in
     Empty,   ///< _ : an optional operand left empty
+    Damaged, ///< has been reported: later stages leave it alone
 };
 
 struct Operand {
