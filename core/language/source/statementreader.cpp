@@ -130,7 +130,7 @@ void StatementReader::checkCharacters(std::string_view line, std::uint32_t numbe
         const Utf8Character character = characterAt(line, at);
         const TextRange range = rangeIn(number, at, at + character.length);
         if (!character.legal) {
-            m_sink.add(Code::NotUtf8, range, {fmt::format("{:02X}", character.code)});
+            m_sink.add(Code::SourceNotUtf8, range, {fmt::format("{:02X}", character.code)});
             return; // a file in another encoding has thousands; one a line tells enough
         }
         if (const char* odd = oddCharacterName(character.code))
