@@ -14,19 +14,21 @@ std::string upperCase(std::string_view text)
     return out;
 }
 
-/// Levenshtein distance.
+constexpr std::size_t ReplaceCost = 3, InsertCost = 2; ///< a forgotten letter is likelier than a wrong one
+
+/// Weighted edit distance.
 std::size_t distance(std::string_view a, std::string_view b)
 {
     std::vector<std::size_t> row(b.size() + 1);
     for (std::size_t j = 0; j <= b.size(); ++j)
-        row[j] = j;
+        row[j] = j * InsertCost;
     for (std::size_t i = 1; i <= a.size(); ++i) {
         std::size_t diagonal = row[0];
-        row[0] = i;
+        row[0] = i * InsertCost;
         for (std::size_t j = 1; j <= b.size(); ++j) {
-            const std::size_t replace = diagonal + (a[i - 1] == b[j - 1] ? 0 : 1);
+            const std::size_t replace = diagonal + (a[i - 1] == b[j - 1] ? 0 : ReplaceCost);
             diagonal = row[j];
-            row[j] = std::min({replace, row[j] + 1, row[j - 1] + 1});
+            row[j] = std::min({replace, row[j] + InsertCost, row[j - 1] + InsertCost});
         }
     }
     return row.back();
@@ -81,13 +83,12 @@ Text Catalogue::groupName(std::string_view group) const
 std::string Catalogue::nearest(std::string_view mnemonic) const
 {
     const std::string wanted = upperCase(mnemonic);
-    const std::size_t limit = wanted.size() < 4 ? 1 : 2;
+    std::size_t best = wanted.size() < 4 ? ReplaceCost + 1 : 2 * ReplaceCost + 1;
     std::string out;
-    std::size_t best = limit + 1;
     for (const auto& [known, index] : m_byMnemonic) {
-        const std::size_t d = distance(wanted, known);
-        if (d < best && d < wanted.size()) {
-            best = d;
+        const std::size_t cost = distance(wanted, known);
+        if (cost < best) {
+            best = cost;
             out = m_instructions[index].mnemonic;
         }
     }

@@ -52,7 +52,8 @@ struct Pin {
     std::string name;                     ///< "EXEC"; operand names of contacts and coils are ours
     PinDirection direction = PinDirection::In;
     PinKind kind = PinKind::Value;
-    TypeSet types;                        ///< Value: types allowed. Block: type of an element
+    TypeSet types;                        ///< Value: types allowed. Block: type of an element; any form of that width may name its start
+    DataType mainType = DataType::Bool;   ///< the first of `types`: what an operand is taken as that has no type of its own (D100)
     std::uint8_t typeGroup = 0;           ///< pins with the same non-zero number have one common type
     std::vector<AreaId> areas;            ///< memory areas allowed; empty: no memory
     bool constantAllowed = false;
@@ -91,7 +92,7 @@ enum class CrEffect : std::uint8_t {
 enum class Executes : std::uint8_t {
     OnFlow, ///< while the current result is 1
     OnEdge, ///< on the rising edge of the current result
-    Always, ///< whatever the current result is; it may be an input (timers, contacts, coils)
+    Always, ///< whatever the current result is; it may be an input (contacts, coils, timers, EN of the motion blocks)
 };
 
 /// What a model must have so that an instruction may be used on it.

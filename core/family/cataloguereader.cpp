@@ -130,7 +130,7 @@ private:
         out.name = row.text("name");
         out.direction = row.choice<PinDirection>("direction", Directions);
         out.kind = row.choice<PinKind>("kind", PinKinds);
-        out.types = typesOf(row);
+        out.types = typesOf(row, out.mainType);
         out.typeGroup = row.count<std::uint8_t>("type_group", 9);
         out.areas = areasOf(row, out);
         out.constantAllowed = row.flag("constant");
@@ -154,14 +154,18 @@ private:
         instruction.pins.push_back(std::move(out));
     }
 
-    TypeSet typesOf(CsvRow& row)
+    TypeSet typesOf(CsvRow& row, DataType& mainType)
     {
         TypeSet out;
         for (const std::string& word : row.words("types")) {
-            if (const auto type = dataTypeByName(word))
-                out.insert(*type);
-            else
+            const auto type = dataTypeByName(word);
+            if (!type) {
                 row.illegal("types", "names of elementary types");
+                continue;
+            }
+            if (out.isEmpty())
+                mainType = *type;
+            out.insert(*type);
         }
         return out;
     }

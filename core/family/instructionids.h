@@ -176,7 +176,7 @@ CAMWRIGHT_INSTRUCTION(InvtOrDLt, 2136, "invt", "ORD<")
 CAMWRIGHT_INSTRUCTION(InvtOrDLe, 2137, "invt", "ORD<=")
 // TS600: program control
 CAMWRIGHT_INSTRUCTION(InvtCall, 2200, "invt", "CALL")
-CAMWRIGHT_INSTRUCTION(InvtSret, 2201, "invt", "SRET")
+CAMWRIGHT_INSTRUCTION(InvtCret, 2201, "invt", "CRET")
 CAMWRIGHT_INSTRUCTION(InvtEnd, 2202, "invt", "END")
 // TS600: axis blocks
 CAMWRIGHT_INSTRUCTION(InvtMcPower, 2300, "invt", "MC_Power")
