@@ -109,7 +109,8 @@ public:
     NodeState nodeState(std::uint8_t node) const;          ///< Idle for a foreign node
     bool isOnline(std::uint8_t node) const { return nodeState(node) == NodeState::Operational; }
     BootReport bootReport(std::uint8_t node) const;
-    /// MC_RESTART: configures and starts one node anew. False: foreign node, or its boot runs already.
+    /// MC_RESTART: configures and starts one node anew; its outputs become zero. `sdoTimeout` 0 takes the network's.
+    /// False: foreign node, or its boot runs already.
     bool restart(std::uint8_t node, Time sdoTimeout, Time now);
     void cancelRestart(std::uint8_t node);
 
@@ -145,8 +146,15 @@ private:
     static constexpr unsigned kReceivePdos = 2;  ///< seen from the node
     static constexpr unsigned kTransmitPdos = 3;
 
+    struct BootWrite {
+        BootStep step = BootStep::Guarding;
+        ObjectId object;
+        std::uint32_t value = 0;
+        std::uint8_t bytes = 4;
+    };
     struct Node {
         MasterNodeConfig config;
+        std::vector<BootWrite> bootList; ///< made from the configuration, not saved
         NodeState state = NodeState::Idle;
         DriveInputs inputs;
         DriveOutputs outputs;
@@ -178,18 +186,21 @@ private:
     };
 
     int slotOf(std::uint8_t node) const { return m_slots[node & 0x7F]; }
+    static std::vector<BootWrite> bootListFor(const MasterNodeConfig& config);
     Node* find(std::uint8_t node);
     const Node* find(std::uint8_t node) const;
     bool send(const CanFrame& frame);
 
     void beginBoot(Node& node, Time timeout, Time now);
-    void continueBoot(Node& node, Time now);
+    void nextBootWrite(Node& node, Time now);
     void failBoot(Node& node, SdoStatus status, SdoAbort abort);
     void goOnline(Node& node, Time now);
 
     SdoHandle beginSdo(std::uint8_t node, ObjectId object, const ByteSpan* data, Time now, Time timeout);
     SdoHandle finishAtOnce(SdoStatus status);
-    void endTransfer(Node& node, SdoStatus status, Time now);
+    void endTransfer(Node& node, Time now);
+    void dropTransfer(Node& node);
+    void keepResult(SdoHandle handle, SdoResult result);
     void receiveSdo(Node& node, const CanFrame& frame, Time now);
     void receivePdo(Node& node, unsigned number, const CanFrame& frame);
     void receiveErrorControl(Node& node, const CanFrame& frame, Time now);

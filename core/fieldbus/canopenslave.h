@@ -31,6 +31,7 @@ public:
 /// out by the CanPort, time passed in; one thread.
 ///
 /// It adds the communication objects 0x1000 to 0x1A07 to the dictionary; the device adds its own before calling start().
+/// As CiA 301 has it, a life guarding error takes an operational node to pre-operational.
 class CanopenSlave {
 public:
     static constexpr unsigned kMaximumPdos = 8;    ///< in each direction (KS-COM-01)
@@ -55,6 +56,7 @@ public:
     bool lifeLost() const { return m_lifeLost; }
     std::uint64_t unsentFrames() const { return m_unsent; } ///< the port was full
 
+    /// Without the dictionary, which its owner saves, and restores before this.
     void save(ByteWriter& writer) const;
     void restore(ByteReader& reader);
 
@@ -87,15 +89,16 @@ private:
     };
 
     void addCommunicationObjects();
+    void findSlots();
     void loadPdo(bool transmit, unsigned number);
     void loadAllPdos();
-    SdoAbort checkCommunicationWrite(ObjectDictionary::Slot slot, std::int64_t value) const;
     SdoAbort checkPdoWrite(ObjectId id, std::int64_t value) const;
+    SdoAbort checkPdoCobId(const Pdo& pdo, std::int64_t value) const;
     SdoAbort checkMappingCount(ObjectId id, std::int64_t count) const;
     SdoAbort checkMappingEntry(ObjectId id, std::int64_t value) const;
     SdoAbort store(ObjectId id, ByteSpan data);
     void communicationWritten(ObjectId id);
-    void resetCommunicationObjects();
+    void resetCommunication(Time now);
 
     void receiveNmt(const CanFrame& frame, Time now);
     void receiveGuard(Time now);

@@ -57,11 +57,13 @@ private:
     struct Segment {
         double duration = 0;     ///< s
         double acceleration = 0; ///< unit/s²
+        double endVelocity = 0;
     };
     void begin();
-    void add(double duration, double acceleration);
+    void add(double duration, double endVelocity, double acceleration);
     void addRamp(double from, double to, const MotionLimits& limits);
-    void planFromRest(double start, double startVelocity, double target, const MotionLimits& limits);
+    void addMove(double startVelocity, double distance, double sign, const MotionLimits& limits);
+    void endAtRest();
 
     std::array<Segment, 4> m_segments{};
     std::uint8_t m_count = 0;

@@ -1,1 +1,13 @@
 // CW6…: fieldbus.
+CAMWRIGHT_CODE(NodeDoesNotAnswer, "CW6001", Error, CW_TEXT("Diagnostics", "Axis node %1 does not answer (object %2). Check its supply, the cable, its node number and the baud rate."))
+CAMWRIGHT_CODE(NodeRefusesObject, "CW6002", Error, CW_TEXT("Diagnostics", "Axis node %1 refuses object %2 with abort code %3: %4. Check whether the drive has this object and the value is in its range."))
+CAMWRIGHT_CODE(NodeAnswersWrongly, "CW6003", Error, CW_TEXT("Diagnostics", "Axis node %1 gave an answer about object %2 that does not fit the request. Check that no two nodes have the same number."))
+CAMWRIGHT_CODE(SendBufferFull, "CW6004", Error, CW_TEXT("Diagnostics", "The CAN send buffer is full, and nothing was sent to axis node %1. Check the cable, the terminators and the load of the bus."))
+CAMWRIGHT_CODE(NodeLost, "CW6005", Error, CW_TEXT("Diagnostics", "Axis node %1 is offline. Mend the cause, then restart the axis with MC_RESTART or stop and start the controller."))
+CAMWRIGHT_CODE(NodeEmergency, "CW6006", Warning, CW_TEXT("Diagnostics", "Axis node %1 reports error %2 (error register %3). Look the number up in the drive's manual."))
+CAMWRIGHT_CODE(NodeErrorGone, "CW6007", Information, CW_TEXT("Diagnostics", "Axis node %1 reports that its error is gone."))
+CAMWRIGHT_CODE(BusOverloaded, "CW6008", Warning, CW_TEXT("Diagnostics", "The process data of %1 axes would load the bus with %2 % at %3 bit/s. Raise the PDO inhibit times or the baud rate."))
+CAMWRIGHT_CODE(NodeHasRequest, "CW6009", Error, CW_TEXT("Diagnostics", "Axis node %1 still works on the previous request. Wait for its answer before sending the next one."))
+CAMWRIGHT_CODE(NoSuchNode, "CW6010", Error, CW_TEXT("Diagnostics", "There is no axis node %1 in the motion network, or the network has not been started. Add the axis in the motion network editor."))
+CAMWRIGHT_CODE(NodeRequestCancelled, "CW6011", Warning, CW_TEXT("Diagnostics", "The request to axis node %1 (object %2) was given up before its answer came."))
+CAMWRIGHT_CODE(NodeStarted, "CW6012", Information, CW_TEXT("Diagnostics", "Axis node %1 is configured and operational."))

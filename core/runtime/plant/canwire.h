@@ -84,7 +84,4 @@ private:
     std::int64_t m_windowBusy = 0;
 };
 
-void write(ByteWriter& writer, const CanFrame& frame);
-CanFrame readCanFrame(ByteReader& reader);
-
 } // namespace camwright
