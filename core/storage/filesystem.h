@@ -41,6 +41,8 @@ class AppendFile {
 public:
     virtual ~AppendFile() = default;
     virtual Result<void> append(ByteSpan bytes) = 0; ///< all or an error; after an error part of them may be there
+    virtual Result<std::uint64_t> size() = 0;
+    virtual Result<void> truncate(std::uint64_t size) = 0; ///< cuts off what lies behind
     virtual Result<void> sync() = 0;                 ///< what was appended survives a power cut
 };
 

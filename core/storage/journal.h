@@ -31,7 +31,8 @@ public:
     /// remove them with discardJournal, or nothing unsaved is lost.
     static Result<std::unique_ptr<Journal>> begin(FileSystem& files, const std::string& projectPath, const Project& saved);
 
-    /// After return the edit survives `kill -9`; after the next sync also a power cut.
+    /// After return the edit survives `kill -9`; after the next sync also a power cut. After an error (disk full) it is
+    /// kept here, and the next call tries again.
     Result<void> append(const std::string& label, const std::vector<ObjectDelta>& deltas);
     /// The state of a page that was not applied yet; null when it was applied or cancelled. The last one counts.
     Result<void> setDraft(const ObjectKey& key, const ObjectPtr& draft);
@@ -49,7 +50,8 @@ public:
 private:
     Journal(FileSystem& files, std::string folder);
     Result<void> openSegment(const Project& base);
-    Result<void> write(ByteSpan payload);
+    Result<void> write(const Bytes& record);
+    Result<void> flush();
 
     FileSystem& m_files;
     std::string m_folder;
@@ -58,6 +60,8 @@ private:
     std::vector<std::string> m_finished;
     std::map<ObjectKey, ObjectPtr> m_drafts;
     std::uint64_t m_entries = 0;
+    Bytes m_pending;           ///< records that are not in the file yet
+    std::uint64_t m_whole = 0; ///< bytes of the file up to the last whole record
 };
 
 /// What an earlier session left unsaved.

@@ -2,6 +2,7 @@
 
 #include "core/base/result.h"
 #include "core/model/project.h"
+#include "core/storage/projectstore.h"
 
 #include <string>
 #include <string_view>
@@ -24,8 +25,9 @@ std::string fileOf(const ObjectKey& key);
 /// The same, and different from every other object's file even where the file system takes upper and lower case as equal.
 std::string fileOf(const ObjectKey& key, const Project& project);
 
-/// A project place as a place in its file: `file` is set, `range` counts in the file's lines. A program's text begins
-/// behind the line with its settings; a field is found in the canonical text of its object.
-Place filePlace(const Project& project, const Place& place);
+/// A project place as a place in its file: `file` is set, and `range` counts in the file's lines. A program's text begins
+/// behind the line with its settings; a field ("guard_time_ms", "rows[3].address") is found in the text of its object.
+/// `files` are those of the loaded project; without them the canonical form is meant. A place without an object stays.
+Place filePlace(const Place& place, const Project& project, const KnownFiles& files = {});
 
 } // namespace camwright

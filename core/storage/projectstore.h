@@ -16,12 +16,10 @@ inline constexpr std::int64_t ProjectFormat = 1;
 
 /// What is known of a file of the project since it was last read or written.
 struct KnownFile {
-    ObjectKey key;
+    ObjectPtr object; ///< what the text says
     FileStamp stamp;
     Hash hash;
-    std::string text; ///< the bytes as read; an edit changes only its own lines in them
-
-    bool operator==(const KnownFile&) const = default;
+    std::string text; ///< the bytes in the file; an edit changes only its own lines in them
 };
 
 /// The files of a project as this program knows them, by path relative to the project's folder.
@@ -35,7 +33,7 @@ struct LoadedProject {
 
 /// Reads the project in the folder `path`, after finishing or dropping an interrupted save (CONTRACTS 5). Fails with every
 /// reason found, each with file and line; an illegal value in a field is no reason (it is kept as typed, checks name it).
-/// Takes no lock that outlives the call and creates nothing.
+/// Takes no lock that outlives the call and changes nothing else.
 Result<LoadedProject, Diagnostics> openProject(FileSystem& files, const std::string& path);
 
 /// Who wins where a file to be written was changed by another program since `known`.
