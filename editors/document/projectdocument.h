@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/base/result.h"
+#include "core/storage/journal.h"
 #include "editors/document/projectchange.h"
 #include "editors/document/projectedit.h"
 
@@ -11,6 +12,7 @@
 
 #include <map>
 #include <memory>
+#include <optional>
 
 class QUndoStack;
 class QFileSystemWatcher;
@@ -18,6 +20,8 @@ class QFileSystemWatcher;
 namespace camwright {
 
 class ProjectFiles;
+
+enum class SaveOver { Refuse, Allow }; ///< what to do with a file another program changed since it was read
 
 /// The open project of a window: the current snapshot, the steps that led there, where it is saved, what is wrong with it.
 /// Views get the project as const; every change is an edit that can be undone without limit, across all editors, and that
@@ -34,20 +38,29 @@ public:
     template <class T>
     const T* content(const ObjectKey& key) const { return m_project.content<T>(key); }
 
-    // --- files. Failures carry a diagnostic with file and line; the document stays as it was.
+    // --- files. Failures carry diagnostics with file and line; the document stays as it was.
     QString path() const { return m_path; }              ///< the project's folder; empty while never saved
     QString displayName() const;                         ///< the project's name, for titles
     bool isModified() const;
-    Result<void> open(const QString& path);
-    /// A project made in memory; `path` may be empty until the first save.
-    void adopt(Project project, const QString& path = {});
-    Result<void> save();
+    /// Another Camwright holds the project: edits are possible, saving only under another name.
+    bool isReadOnly() const;
+    Result<void, Diagnostics> open(const QString& path);
+    /// Writes a new project into `path` and opens it.
+    Result<void, Diagnostics> create(const Project& project, const QString& path);
+    /// A project in memory only, without files and journal, for tests and pictures.
+    void adopt(Project project);
+    Result<void> save(SaveOver over = SaveOver::Refuse);
     Result<void> saveAs(const QString& path);
-    Result<void> reload();                               ///< reads the folder again; can be undone as one step
+    /// Reads the folder again after an outside change; one step that can be undone.
+    Result<void, Diagnostics> reload();
+    /// The user keeps what stands here; the next save would be refused and offers to write over.
+    void keepMine();
     void close();
-    /// Objects whose last unsaved edits an interrupted session left behind; offered once after open().
-    bool hasRecovery() const { return !m_recovered.empty(); }
-    int recoveredObjects() const { return static_cast<int>(m_recovered.size()); }
+    /// What opening wants to tell: an interrupted save was finished, a file was set aside.
+    const Diagnostics& openingNotes() const { return m_notes; }
+    /// Unsaved edits of an interrupted session; offered once after open().
+    bool hasRecovery() const { return m_recovery.has_value(); }
+    int recoveredSteps() const { return m_recovery ? static_cast<int>(m_recovery->labels.size()) : 0; }
     void acceptRecovery();                               ///< one undoable step
     void dropRecovery();
 
@@ -90,25 +103,29 @@ signals:
 
 private:
     friend class ProjectStep;
-    void apply(const std::vector<Delta>& deltas, const std::set<std::string>& properties);
+    void apply(const std::vector<Delta>& deltas, const std::set<std::string>& properties, const QString& label);
     void replaceEverything(Project project, const QString& path);
+    void startJournal();
+    void journal(const QString& label, const Project& before, const ProjectChange& change);
+    void journalDone(const Result<void>& result);
     void watch();
-    void outsideChanged();
+    void lookOutside();
     void noteModified();
 
     Project m_project;
-    Project m_saved;                                     ///< as the files hold it
     QString m_path;
     bool m_open = false;
     bool m_wasModified = false;
     quint64 m_revision = 0;
+    int m_mergeEpoch = 0;
     std::unique_ptr<QUndoStack> m_stack;
     std::unique_ptr<ProjectFiles> m_files;
     std::unique_ptr<QFileSystemWatcher> m_watcher;
-    QTimer m_outsideTimer;
-    QTimer m_mergeTimer;
-    int m_mergeEpoch = 0;
-    std::vector<Delta> m_recovered;
+    QTimer m_outsideTimer;                               ///< outside changes come in bursts
+    QTimer m_mergeTimer;                                 ///< a pause ends a run of typing
+    QTimer m_syncTimer;                                  ///< journal to the disk
+    std::optional<JournalContent> m_recovery;
+    Diagnostics m_notes;
     std::map<ObjectKey, ObjectPtr> m_drafts;
     Diagnostics m_diagnostics;
 };
