@@ -46,6 +46,18 @@ std::vector<DataType> TypeSet::list() const
     return out;
 }
 
+std::uint64_t OperandSpan::bytes() const
+{
+    return pin->kind == PinKind::Block ? pin->elementBytes * count : byteWidth(start.type);
+}
+
+bool collide(const OperandSpan& a, const OperandSpan& b)
+{
+    if (!(a.pin->isPrivate || b.pin->isPrivate) || a.start.area != b.start.area)
+        return false;
+    return a.start.byte < b.start.byte + b.bytes() && b.start.byte < a.start.byte + a.bytes();
+}
+
 const Pin* Instruction::findPin(std::string_view name) const
 {
     const auto found = std::ranges::find(pins, name, &Pin::name);

@@ -73,6 +73,18 @@ struct Pin {
     bool operator==(const Pin&) const = default;
 };
 
+/// An operand in use: the pin, where it starts, and how many elements it has there (blocks).
+struct OperandSpan {
+    const Pin* pin = nullptr;
+    Address start;
+    std::uint64_t count = 1;
+
+    std::uint64_t bytes() const;
+};
+
+/// Whether two operands stand in each other's way: they share memory and one of them is a private work area.
+bool collide(const OperandSpan& a, const OperandSpan& b);
+
 /// Where the knowledge of an instruction comes from (CONTRACTS 9, 31).
 enum class Basis : std::uint8_t {
     Manual,     ///< printed in the family's manual
