@@ -27,23 +27,16 @@ QString text(const std::string& utf8)
     return QString::fromUtf8(utf8.data(), qsizetype(utf8.size()));
 }
 
-/// "rows[3].guardTimeMs" to words people read: the last part, split at capitals.
+/// "simulation.home_switch" to words people read: "home switch".
 QString fieldWords(const std::string& field)
 {
-    QString out;
-    for (const QChar c : text(field)) {
-        if (c.isUpper()) {
-            out += QLatin1Char(' ');
-            out += c.toLower();
-        } else {
-            out += c == QLatin1Char('.') ? QLatin1Char(' ') : c;
-        }
-    }
-    for (const char* unit : {" ms", " us"}) {
+    QString out = text(field);
+    out = out.mid(out.lastIndexOf(QLatin1Char('.')) + 1);
+    for (const char* unit : {"_ms", "_us"}) {
         if (out.endsWith(QLatin1String(unit)))
             out.chop(qsizetype(qstrlen(unit)));
     }
-    return out;
+    return out.replace(QLatin1Char('_'), QLatin1Char(' '));
 }
 
 } // namespace

@@ -5,6 +5,8 @@
 #include <QString>
 #include <QStringList>
 
+#include <string>
+
 class QCoreApplication;
 
 /// Codes and arguments into sentences, in the language of the program. Qt Core only, so that the command line has it too.
