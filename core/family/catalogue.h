@@ -54,7 +54,7 @@ struct Pin {
     PinKind kind = PinKind::Value;
     TypeSet types;                        ///< Value: types allowed. Block: type of an element; any form of that width may name its start
     DataType mainType = DataType::Bool;   ///< the first of `types`: what an operand is taken as that has no type of its own (D100)
-    std::uint8_t typeGroup = 0;           ///< pins with the same non-zero number have one common type
+    std::uint8_t typeGroup = 0;           ///< pins with the same non-zero number have one common type; of a counter, that of its value
     std::vector<AreaId> areas;            ///< memory areas allowed; empty: no memory
     bool constantAllowed = false;
     bool optional = false;                ///< may be left empty (`_`): an input takes `defaultValue`, an output is dropped

@@ -12,10 +12,11 @@ public:
 
     bool atEnd() const { return m_at == m_text.size(); }
 
-    CsvTable::Row row()
+    CsvTable::Row row(std::size_t expectedCells)
     {
         CsvTable::Row out;
         out.line = m_line;
+        out.cells.reserve(expectedCells);
         do
             out.cells.push_back(cell());
         while (take(','));
@@ -92,13 +93,13 @@ Result<CsvTable, Diagnostics> CsvTable::read(std::string_view name, std::string_
     CsvTable out;
     out.m_name = name;
     if (!parser.atEnd())
-        out.m_columns = parser.row().cells;
+        out.m_columns = parser.row(columns.size()).cells;
     for (std::string_view column : columns) {
         if (std::ranges::find(out.m_columns, column) == out.m_columns.end())
             parser.say(Code::TableColumnMissing, 1, {std::string(column)});
     }
     while (!parser.atEnd()) {
-        Row row = parser.row();
+        Row row = parser.row(out.m_columns.size());
         if (row.cells.size() != out.m_columns.size())
             parser.say(Code::TableRowWidth, row.line, {std::to_string(row.cells.size()), std::to_string(out.m_columns.size())});
         else

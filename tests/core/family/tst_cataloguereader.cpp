@@ -122,6 +122,7 @@ TEST(CatalogueReaderTest, refusesUnknownAreasTypesAndTexts)
 TEST(CatalogueReaderTest, theHashIsOfWhatACompilerUses)
 {
     const Hash before = Tables().read()->hash();
+    EXPECT_EQ(before, findFamily("kinco")->catalogue().hash()) << "two readings of the same bytes";
     Tables words;
     replace(words.texts, "Bit that is examined.", "The bit that is examined.");
     EXPECT_EQ(words.read()->hash(), before);
