@@ -115,6 +115,15 @@ std::uint32_t Family::elementNumber(const Address& address) const
     return address.byte / area(address.area).elementBytes;
 }
 
+bool Family::isWritable(const Address& address) const
+{
+    if (address.area >= m_data->areas.size())
+        return true;
+    const MemoryArea& place = area(address.area);
+    const std::uint32_t last = (address.byte + byteWidth(address.type) - 1) / place.elementBytes;
+    return place.writable && elementNumber(address) >= place.writableFirst && last <= place.writableLast;
+}
+
 bool Family::blockFits(const Address& address, std::uint64_t bytes, const ControllerModel& model) const
 {
     return address.byte + bytes <= model.area(address.area).bytes;

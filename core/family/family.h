@@ -33,7 +33,8 @@ struct MemoryArea {
     unsigned elementBytes = 1;         ///< bytes from one number to the next
     std::string sizeLetters;           ///< Bytes: the forms allowed, of "XBWDR" (X = bit)
     bool octal = false;                ///< numbers are octal (TS600 X and Y)
-    bool readable = true, writable = true; ///< by the user's program
+    bool readable = true, writable = true; ///< by the user's program; where only a part is writable see Family::isWritable
+    std::uint32_t writableFirst = 0, writableLast = 0xFFFFFFFF; ///< elements the program may write, where `writable`
     bool local = false;                ///< belongs to the program block that is running (L; LM and V)
     bool isInput = false, isOutput = false; ///< terminals: set by the panel of inputs, driven to the outputs
     Text meaning;
@@ -152,6 +153,8 @@ public:
     std::optional<Address> bitOf(const Address& address) const;
     /// Number as people count it: 304 for %VW304, 100 for D100, 15 for X17 (octal), 5 for T5.
     std::uint32_t elementNumber(const Address& address) const;
+    /// Whether the user's program may write the place: not an input, not a system flag that only the controller sets.
+    bool isWritable(const Address& address) const;
     /// Whether a row of `bytes` bytes from the start of `address` lies inside its area.
     bool blockFits(const Address& address, std::uint64_t bytes, const ControllerModel& model) const;
 

@@ -100,7 +100,7 @@ private:
         area.sizeLetters = row.text("forms");
         area.octal = row.flag("octal");
         area.readable = row.flag("read");
-        area.writable = row.flag("write");
+        readWritable(row, area);
         area.local = row.flag("local");
         area.isInput = row.text("terminal") == "in";
         area.isOutput = row.text("terminal") == "out";
@@ -108,6 +108,20 @@ private:
         if (area.id != m_out.areas.size())
             row.illegal("id", "the row's own number, from 0");
         m_out.areas.push_back(std::move(area));
+    }
+
+    /// "yes", "no", or the elements that may be written: "31-34".
+    static void readWritable(CsvRow& row, MemoryArea& area)
+    {
+        const std::string range = row.text("write");
+        const std::size_t dash = range.find('-');
+        area.writable = dash != std::string::npos || row.flag("write");
+        if (dash == std::string::npos)
+            return;
+        area.writableFirst = numberOf(std::string_view(range).substr(0, dash));
+        area.writableLast = numberOf(std::string_view(range).substr(dash + 1));
+        if (area.writableFirst > area.writableLast || area.writableLast == 0xFFFFFFFF)
+            row.illegal("write", "yes, no or a range such as 31-34");
     }
 
     void addModel(CsvRow& row)

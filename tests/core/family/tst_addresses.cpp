@@ -137,6 +137,20 @@ TEST(KincoAddressTest, wordsBytesAndBitsShareTheirMemory)
     EXPECT_FALSE(overlap(at("%VB0"), at("%MB0")));
 }
 
+TEST(KincoAddressTest, inputsAndTheControllersOwnBitsAreNotWritable)
+{
+    const Family& family = kincoFamily();
+    const auto writable = [&](const char* text) { return family.isWritable(*family.parseAddress(text, family.defaultModel())); };
+    EXPECT_TRUE(writable("%Q0.0"));
+    EXPECT_TRUE(writable("%SM201.6"));
+    EXPECT_TRUE(writable("%SMD208"));
+    EXPECT_FALSE(writable("%SM0.0"));
+    EXPECT_FALSE(writable("%SMW0"));
+    EXPECT_FALSE(writable("%I0.0"));
+    EXPECT_FALSE(writable("%AIW0"));
+    EXPECT_FALSE(writable("T0"));
+}
+
 TEST(KincoAddressTest, theSizeLetterDecidesWhichTypesFit)
 {
     const Family& family = kincoFamily();
@@ -221,6 +235,19 @@ TEST(InvtAddressTest, doubleWordsTakeTwoElementsAndMustFit)
     EXPECT_FALSE(overlap(*real, at("D102")));
     EXPECT_FALSE(family.withType(at("D32767"), Dint, model).ok());
     EXPECT_FALSE(family.withType(at("Z0"), Dint, model).ok());
+}
+
+TEST(InvtAddressTest, onlyFourSystemFlagsAreWritable) // TS-MEM-09
+{
+    const Family& family = invtFamily();
+    const auto writable = [&](const char* text) { return family.isWritable(*family.parseAddress(text, family.defaultModel())); };
+    EXPECT_FALSE(writable("SM0"));
+    EXPECT_FALSE(writable("SM30"));
+    EXPECT_TRUE(writable("SM31"));
+    EXPECT_TRUE(writable("SM34"));
+    EXPECT_FALSE(writable("SM35"));
+    EXPECT_FALSE(writable("X0"));
+    EXPECT_TRUE(writable("D100.5"));
 }
 
 TEST(InvtAddressTest, countersFromC200AreDoubleWords)
