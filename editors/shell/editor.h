@@ -47,6 +47,7 @@ public:
 
 signals:
     void titleChanged();
+    void closeRequested();                               ///< the window closes the tab, after mayClose()
     void positionChanged();
     void abilitiesChanged();                             ///< can() answers differently now
 
