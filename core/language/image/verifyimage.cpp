@@ -67,7 +67,7 @@ bool isSane(const AxisConfiguration& axis)
 {
     const double finite = axis.homeSwitch + axis.lowerLimitSwitch + axis.upperLimitSwitch + axis.startPosition;
     return axis.number >= 1 && axis.number <= 127 && axis.encoderResolution > 0 && std::isfinite(axis.mechanicalEquivalent)
-        && axis.mechanicalEquivalent > 0 && std::isfinite(finite) && std::isfinite(axis.inertiaRatio) && axis.inertiaRatio > 0
+        && axis.mechanicalEquivalent > 0 && std::isfinite(finite) && std::isfinite(axis.inertiaRatio) && axis.inertiaRatio >= 0
         && !axis.name.empty();
 }
 

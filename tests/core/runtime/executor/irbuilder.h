@@ -7,6 +7,8 @@
 
 namespace camwright::test {
 
+using enum DataType;
+
 inline constexpr AreaId A = 3; ///< a byte area, 1024 bytes
 inline constexpr AreaId B = 8; ///< another one
 

@@ -5,7 +5,7 @@
 
 using namespace camwright;
 using namespace camwright::test;
-using enum DataType;
+
 
 namespace {
 

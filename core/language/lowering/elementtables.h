@@ -1,0 +1,48 @@
+#pragma once
+
+#include "core/family/family.h"
+#include "core/language/ir/ir.h"
+
+#include <cstdint>
+#include <map>
+#include <utility>
+
+namespace camwright {
+
+/// What the routines of a program share: timers and counters by element, block instances, the hidden state. An element has
+/// one state however many instructions name it.
+class ElementTables {
+public:
+    ElementTables(const Family& family, IrProgram& program) : m_family(family), m_program(program) {}
+
+    /// Index of a timer of this kind on the element that `element` is the bit or value of.
+    std::uint32_t timer(TimerKind kind, const Address& element);
+    std::uint32_t counter(CounterKind kind, const Address& element);
+    const IrCounter& counterAt(std::uint32_t index) const { return m_program.counters[index]; }
+    const IrTimer& timerAt(std::uint32_t index) const { return m_program.timers[index]; }
+    /// One byte of hidden state.
+    std::uint32_t edge();
+    /// Index of a new block, which is also its instance number.
+    std::uint32_t block(InstructionId instruction, std::vector<IrPin> pins);
+
+    /// An address as instructions name it: BOOLs of areas with a byte per bit have no bit number.
+    IrAddress place(const Address& address) const;
+
+private:
+    struct Element {
+        IrAddress value;
+        IrAddress bit;
+        std::uint32_t number = 0;
+    };
+    Element elementAt(const Address& address) const;
+    std::uint32_t stateOf(std::map<std::uint32_t, std::uint32_t>& states, std::uint32_t number, std::uint32_t bytes);
+
+    const Family& m_family;
+    IrProgram& m_program;
+    std::map<std::uint32_t, std::uint32_t> m_timerStates;   ///< element number to offset
+    std::map<std::uint32_t, std::uint32_t> m_counterStates;
+    std::map<std::pair<std::uint32_t, TimerKind>, std::uint32_t> m_timers;
+    std::map<std::pair<std::uint32_t, CounterKind>, std::uint32_t> m_counters;
+};
+
+} // namespace camwright

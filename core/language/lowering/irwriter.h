@@ -1,0 +1,39 @@
+#pragma once
+
+#include "core/language/ir/ir.h"
+
+#include <cstddef>
+#include <cstdint>
+
+namespace camwright {
+
+/// Appends instructions to a routine and numbers its registers. Knows no language: only how the IR is written.
+class IrWriter {
+public:
+    explicit IrWriter(IrRoutine& routine) : m_routine(routine) {}
+
+    /// What the instructions that follow come from: 1 + index into DebugMap::sources.
+    void setSource(std::uint32_t source) { m_source = source; }
+
+    IrRegister constant(DataType type, std::uint64_t bits);
+    IrRegister load(DataType type, const IrAddress& address);
+    void store(DataType type, const IrAddress& address, IrRegister value);
+    IrRegister compute(IrOp op, DataType type, IrRegister a, IrRegister b = NoRegister);
+    IrRegister convert(IrOp op, DataType from, DataType type, IrRegister a);
+    /// An operation on an edge slot, a timer or a counter.
+    IrRegister element(IrOp op, DataType type, std::uint32_t index, IrRegister a, IrRegister b = NoRegister);
+    /// The same without a result; also calls and returns.
+    void control(IrOp op, std::uint32_t index = 0, IrRegister a = NoRegister, IrRegister b = NoRegister);
+    /// A jump whose target is still open; `land` puts it here.
+    std::size_t jumpIf(bool sense, IrRegister condition);
+    void land(std::size_t jump);
+
+private:
+    IrInstruction make(IrOp op, DataType type) const;
+    IrRegister define(IrInstruction instruction);
+
+    IrRoutine& m_routine;
+    std::uint32_t m_source = 0;
+};
+
+} // namespace camwright

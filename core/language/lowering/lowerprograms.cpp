@@ -1,0 +1,73 @@
+#include "core/language/lowering/lowerprograms.h"
+
+#include "core/language/lowering/routinelowering.h"
+
+#include <algorithm>
+
+namespace camwright {
+
+namespace {
+
+RoutineKind kindOf(ProgramRole role)
+{
+    switch (role) {
+    case ProgramRole::Main: return RoutineKind::Main;
+    case ProgramRole::Subroutine: return RoutineKind::Subroutine;
+    case ProgramRole::Interrupt: return RoutineKind::Interrupt;
+    }
+    return RoutineKind::Subroutine;
+}
+
+class ProgramLinker {
+public:
+    ProgramLinker(const Family& family, const ControllerModel& model, std::span<const CheckedProgram> programs)
+        : m_family(family), m_model(model), m_programs(programs), m_elements(family, m_out.program)
+    {
+        for (const CheckedProgram& program : programs) {
+            m_out.program.routines.push_back({program.name, kindOf(program.role), 0, {}});
+            m_out.debug.objects.push_back({ObjectKind::Program, program.name});
+        }
+    }
+
+    void lower(std::uint32_t index)
+    {
+        RoutineContext context{m_family, m_model, m_elements, index,
+                               [this](std::string_view name) { return routineByName(name); },
+                               [this, index](std::uint32_t network, const TextRange& range) { return source(index, network, range); }};
+        RoutineLowering(context, m_out.program.routines[index]).lower(m_programs[index]);
+    }
+
+    LoweredPrograms take() { return std::move(m_out); }
+
+private:
+    std::uint32_t routineByName(std::string_view name) const
+    {
+        const auto found = std::ranges::find(m_programs, name, &CheckedProgram::name);
+        return static_cast<std::uint32_t>(found - m_programs.begin());
+    }
+
+    std::uint32_t source(std::uint32_t object, std::uint32_t network, const TextRange& range)
+    {
+        m_out.debug.sources.push_back({object, network, range});
+        return static_cast<std::uint32_t>(m_out.debug.sources.size());
+    }
+
+    const Family& m_family;
+    const ControllerModel& m_model;
+    std::span<const CheckedProgram> m_programs;
+    LoweredPrograms m_out;
+    ElementTables m_elements;
+};
+
+} // namespace
+
+LoweredPrograms lowerPrograms(const Family& family, const ControllerModel& model, std::span<const CheckedProgram> programs,
+                              const Job& job)
+{
+    ProgramLinker linker(family, model, programs);
+    for (std::uint32_t i = 0; i < programs.size() && !job.isCancelled(); ++i)
+        linker.lower(i);
+    return linker.take();
+}
+
+} // namespace camwright

@@ -1,0 +1,76 @@
+#include "core/language/lowering/routinelowering.h"
+
+namespace camwright {
+
+void RoutineLowering::lowerOutput(const CheckedStatement& statement)
+{
+    const CheckedOperand& operand = statement.operands[0];
+    switch (statement.instruction->id) {
+    case InstructionId::KincoStn:
+        return write(operand, DataType::Bool, m_ir.compute(IrOp::Not, DataType::Bool, flow()));
+    case InstructionId::KincoS:
+    case InstructionId::InvtSet:
+        return write(operand, DataType::Bool, m_ir.compute(IrOp::Or, DataType::Bool, read(operand, DataType::Bool), flow()));
+    case InstructionId::KincoR:
+    case InstructionId::InvtRst: return lowerReset(statement);
+    default: return write(operand, DataType::Bool, flow()); // ST, OUT
+    }
+}
+
+/// A timer or counter loses its value with its bit.
+void RoutineLowering::lowerReset(const CheckedStatement& statement)
+{
+    const CheckedOperand& operand = statement.operands[0];
+    const Address* address = addressOf(operand);
+    const AreaKind kind = address && address->area != VariablesArea ? m_context.family.area(address->area).kind : AreaKind::Bytes;
+    if (kind == AreaKind::TimerBits || kind == AreaKind::TimerValues) {
+        m_ir.control(IrOp::TimerReset, m_context.elements.timer(TimerKind::T600Ton, *address), flow());
+    } else if (kind == AreaKind::CounterBits || kind == AreaKind::CounterValues) {
+        m_ir.control(IrOp::CounterReset, m_context.elements.counter(CounterKind::T600UpDown, *address), flow());
+    } else {
+        const IrRegister off = m_ir.compute(IrOp::Not, DataType::Bool, flow());
+        write(operand, DataType::Bool, m_ir.compute(IrOp::And, DataType::Bool, read(operand, DataType::Bool), off));
+    }
+}
+
+void RoutineLowering::lowerBlock(const CheckedStatement& statement)
+{
+    if (statement.form >= ContactForm::Equal)
+        return combine(StatementRole::And, comparison(statement));
+    switch (statement.instruction->id) {
+    case InstructionId::KincoCal:
+    case InstructionId::KincoRet:
+    case InstructionId::KincoEnd:
+    case InstructionId::InvtCall:
+    case InstructionId::InvtCret:
+    case InstructionId::InvtEnd: return lowerControl(statement);
+    default: break;
+    }
+    if (lowerElement(statement) || lowerComputing(statement))
+        return;
+    lowerEngineBlock(statement);
+}
+
+void RoutineLowering::lowerControl(const CheckedStatement& statement)
+{
+    const InstructionId id = statement.instruction->id;
+    if (id == InstructionId::KincoEnd || id == InstructionId::InvtEnd)
+        return m_ir.control(IrOp::Return);
+    openGuard();
+    if (id == InstructionId::KincoRet || id == InstructionId::InvtCret)
+        return m_ir.control(IrOp::Return);
+    const auto& name = std::get<ProgramOperand>(statement.operands[0].value).name;
+    m_ir.control(IrOp::Call, m_context.routineByName(name));
+}
+
+/// Everything else is the engine's: it is called on every pass and sees EN, because EN falling means something there.
+void RoutineLowering::lowerEngineBlock(const CheckedStatement& statement)
+{
+    std::vector<IrPin> pins;
+    for (const CheckedOperand& operand : statement.operands)
+        pins.push_back(pinOf(operand));
+    const std::uint32_t block = m_context.elements.block(statement.instruction->id, std::move(pins));
+    m_ir.control(IrOp::Block, block, flow());
+}
+
+} // namespace camwright

@@ -1,0 +1,94 @@
+#pragma once
+
+#include "core/language/check/checkedprogram.h"
+#include "core/language/lowering/elementtables.h"
+#include "core/language/lowering/irwriter.h"
+
+#include <cstdint>
+#include <functional>
+#include <string_view>
+#include <vector>
+
+namespace camwright {
+
+/// What the lowering of one routine must know of the whole.
+struct RoutineContext {
+    const Family& family;
+    const ControllerModel& model;
+    ElementTables& elements;
+    std::uint32_t routine = 0;   ///< its index; local memory of routine n lies n area sizes further on
+    std::function<std::uint32_t(std::string_view)> routineByName;
+    /// Gives a statement of a network its number in the debug map.
+    std::function<std::uint32_t(std::uint32_t network, const TextRange&)> source;
+};
+
+/// Lowers the statements of one program, in their order, with the flow (CR of Kinco, power flow of TS600) in a register.
+/// Nothing flows from rung to rung. What runs only with flow is skipped by a jump; neighbours with the same flow share it.
+class RoutineLowering {
+public:
+    RoutineLowering(const RoutineContext& context, IrRoutine& routine) : m_context(context), m_ir(routine) {}
+
+    void lower(const CheckedProgram& program);
+
+private:
+    struct Group {
+        StatementRole kind = StatementRole::OpenAnd;
+        IrRegister outer = NoRegister;
+    };
+
+    void lower(const CheckedStatement& statement);
+    // Flow (flowlowering.cpp)
+    void combine(StatementRole role, IrRegister contact);
+    void lowerStructure(const CheckedStatement& statement);
+    void lowerFlow(const CheckedStatement& statement);
+    IrRegister contact(const CheckedStatement& statement);
+    IrRegister comparison(const CheckedStatement& statement);
+    IrRegister flow();
+    // Outputs and program control (outputlowering.cpp)
+    void lowerOutput(const CheckedStatement& statement);
+    void lowerReset(const CheckedStatement& statement);
+    void lowerBlock(const CheckedStatement& statement);
+    void lowerControl(const CheckedStatement& statement);
+    void lowerEngineBlock(const CheckedStatement& statement);
+    // Timers and counters (elementlowering.cpp)
+    bool lowerElement(const CheckedStatement& statement);
+    void lowerTimer(const CheckedStatement& statement, TimerKind kind);
+    void lowerCounter(const CheckedStatement& statement, CounterKind kind);
+    IrRegister lowerCounterExtras(const CheckedStatement& statement, std::uint32_t counter, IrRegister load, IrRegister preset);
+    // Moves, arithmetic, conversions (computelowering.cpp)
+    bool lowerComputing(const CheckedStatement& statement);
+    void lowerMove(const CheckedStatement& statement);
+    void lowerUnary(const CheckedStatement& statement, IrOp op);
+    void lowerBinary(const CheckedStatement& statement, IrOp op);
+    void lowerConversion(const CheckedStatement& statement);
+    void lowerStep(const CheckedStatement& statement, IrOp op);
+    void lowerShift(const CheckedStatement& statement, IrOp op);
+    void lowerDivision(const CheckedStatement& statement, IrOp op);
+
+    // Operands
+    IrAddress place(const Address& address) const;
+    IrRegister read(const CheckedOperand& operand, DataType type);
+    void write(const CheckedOperand& operand, DataType type, IrRegister value);
+    DataType commonType(const CheckedStatement& statement) const;
+    static DataType typeOf(const CheckedOperand& operand);
+    static const Address* addressOf(const CheckedOperand& operand);
+    static const CheckedOperand* operandAt(const CheckedStatement& statement, std::string_view pin);
+    IrPin pinOf(const CheckedOperand& operand) const;
+
+    /// What follows runs only with flow.
+    void openGuard();
+    void closeGuard();
+
+    const RoutineContext& m_context;
+    std::uint32_t m_network = 0;
+    IrWriter m_ir;
+    IrRegister m_flow = NoRegister;     ///< NoRegister: no flow begun, or a group that begins with flow on
+    bool m_isRungOpen = false;
+    std::vector<IrRegister> m_loads;    ///< flows put aside by a second Load, for ANB and ORB
+    std::vector<IrRegister> m_pushed;   ///< MPS
+    std::vector<Group> m_groups;
+    IrRegister m_guard = NoRegister;    ///< flow of the open guard
+    std::size_t m_guardJump = 0;
+};
+
+} // namespace camwright
