@@ -96,22 +96,22 @@ Result<void> checkOutsideChanges(FileSystem& files, const std::string& path, std
     return {};
 }
 
-Result<void> setStamps(FileSystem& files, const std::string& path, const std::vector<FileChange>& changes, KnownFiles& known)
+/// A file whose stamp cannot be had is looked into when somebody asks whether it changed.
+void setStamps(FileSystem& files, const std::string& path, const std::vector<FileChange>& changes, KnownFiles& known)
 {
     for (const FileChange& change : changes) {
         if (!change.text)
             continue;
-        const auto stamp = files.stamp(path + '/' + change.path);
-        if (!stamp)
-            return diagnostic(Code::SaveUnfinished, {englishText(stamp.error())});
-        known[change.path].stamp = *stamp;
+        if (const auto stamp = files.stamp(path + '/' + change.path))
+            known[change.path].stamp = *stamp;
     }
-    return {};
 }
 
 Result<KnownFiles> save(FileSystem& files, const std::string& path, SavePlan plan, Overwrite overwrite,
                         const std::vector<std::string>& finishedJournals)
 {
+    if (plan.changes.empty() && finishedJournals.empty() && !hasInterruptedSave(files, path))
+        return std::move(plan.after);
     if (auto made = makePrivateFolder(files, path); !made)
         return made.error();
     const auto lock = lockSaving(files, path);
@@ -129,8 +129,7 @@ Result<KnownFiles> save(FileSystem& files, const std::string& path, SavePlan pla
             return saved.error();
     }
     std::erase_if(plan.changes, [](const FileChange& change) { return change.path.starts_with(".camwright/"); });
-    if (auto stamped = setStamps(files, path, plan.changes, plan.after); !stamped)
-        return stamped.error();
+    setStamps(files, path, plan.changes, plan.after);
     return std::move(plan.after);
 }
 

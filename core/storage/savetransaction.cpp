@@ -233,6 +233,14 @@ Result<std::vector<Step>> stage(FileSystem& files, const std::string& projectPat
     return steps;
 }
 
+Diagnostic unfinished(const Diagnostic& reason)
+{
+    std::string text = englishText(reason);
+    if (text.ends_with('.'))
+        text.pop_back();
+    return diagnostic(Code::SaveUnfinished, {text});
+}
+
 } // namespace
 
 std::string privateFolder(const std::string& projectPath)
@@ -263,22 +271,22 @@ Result<void> runSave(FileSystem& files, const std::string& projectPath, const st
         return steps.error();
     }
     const std::string record = recordPath(projectPath);
-    auto committed = files.rename(record + ".new", record);
-    if (committed)
-        committed = files.syncDirectory(stagingFolder(projectPath));
-    if (!committed) {
-        // The record may or may not be there after a power cut; taken away again it cannot be.
-        if (removeIfThere(files, record) && files.syncDirectory(stagingFolder(projectPath))) {
-            (void)clearStaging(files, projectPath);
-            return committed;
-        }
-        return diagnostic(Code::SaveUnfinished, {englishText(committed.error())});
+    if (auto committed = files.rename(record + ".new", record); !committed) {
+        (void)clearStaging(files, projectPath);
+        return committed;
+    }
+    if (auto synced = files.syncDirectory(stagingFolder(projectPath)); !synced) {
+        // Whether the record survives a power cut is not known; taken away again, the save has not happened.
+        if (!removeIfThere(files, record) || !files.syncDirectory(stagingFolder(projectPath)))
+            return unfinished(synced.error());
+        (void)clearStaging(files, projectPath);
+        return synced;
     }
     Mover mover(files, projectPath);
     auto moved = mover.run(*steps);
     if (moved)
         moved = clearStaging(files, projectPath);
-    return moved ? moved : diagnostic(Code::SaveUnfinished, {englishText(moved.error())});
+    return moved ? moved : unfinished(moved.error());
 }
 
 bool hasInterruptedSave(FileSystem& files, const std::string& projectPath)
