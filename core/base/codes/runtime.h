@@ -1,1 +1,38 @@
 // CW5…: runtime.
+// CW500…: what the controller logs.
+CAMWRIGHT_CODE(ProgramStarted, "CW5001", Information, CW_TEXT("Diagnostics", "The program runs."))
+CAMWRIGHT_CODE(ProgramStopped, "CW5002", Information, CW_TEXT("Diagnostics", "The program was stopped by command."))
+CAMWRIGHT_CODE(SwitchedToStop, "CW5003", Information, CW_TEXT("Diagnostics", "The program stopped because the RUN/STOP switch was set to STOP."))
+CAMWRIGHT_CODE(ImageLoaded, "CW5004", Information, CW_TEXT("Diagnostics", "Program \"%1\" (%2) was loaded. The controller stands in STOP until it is started."))
+CAMWRIGHT_CODE(WatchdogFired, "CW5005", Error, CW_TEXT("Diagnostics", "The scan did not end within its watchdog time of %1 ms, so the program was stopped. Look for a loop without end near %2."))
+CAMWRIGHT_CODE(PowerCycled, "CW5006", Information, CW_TEXT("Diagnostics", "The supply was switched off and on."))
+CAMWRIGHT_CODE(LateCycles, "CW5007", Warning, CW_TEXT("Diagnostics", "%1 motion cycles came late. Controller time slipped; nothing was made up for."))
+CAMWRIGHT_CODE(AxisAlarm, "CW5010", Error, CW_TEXT("Diagnostics", "Axis \"%1\": the drive reports alarm %2. Remove its cause, then reset the axis."))
+CAMWRIGHT_CODE(AxisLost, "CW5011", Error, CW_TEXT("Diagnostics", "Axis \"%1\" no longer answers on the bus. Mend the connection, then restart the node or the controller."))
+CAMWRIGHT_CODE(DeadManStop, "CW5012", Warning, CW_TEXT("Diagnostics", "Axis \"%1\" was stopped: no heartbeat came from the panel. Last heartbeat in cycle %2, stop command at the bus in cycle %3."))
+CAMWRIGHT_CODE(AllAxesStopped, "CW5013", Information, CW_TEXT("Diagnostics", "All axes were stopped by command."))
+CAMWRIGHT_CODE(AxisNotStarted, "CW5014", Error, CW_TEXT("Diagnostics", "Axis \"%1\" could not be started on the bus. Check the drive's supply, node number and baud rate, then restart the node or the controller."))
+// CW502…: why a command is refused.
+CAMWRIGHT_CODE(LoadOnlyInStop, "CW5021", Error, CW_TEXT("Diagnostics", "A program is taken only in STOP. Stop the controller first."))
+CAMWRIGHT_CODE(SwitchAtStop, "CW5022", Error, CW_TEXT("Diagnostics", "The RUN/STOP switch is at STOP, so the program does not start. Set the switch to RUN."))
+CAMWRIGHT_CODE(StaleReference, "CW5024", Error, CW_TEXT("Diagnostics", "The running program has changed since this name was looked up. Look it up again."))
+CAMWRIGHT_CODE(NotWritable, "CW5025", Error, CW_TEXT("Diagnostics", "Axis values are read-only. Use an axis command to move an axis."))
+CAMWRIGHT_CODE(NoSuchAxis, "CW5026", Error, CW_TEXT("Diagnostics", "There is no axis %1; the running program has %2."))
+CAMWRIGHT_CODE(UnknownAxisField, "CW5027", Error, CW_TEXT("Diagnostics", "An axis has no value \"%1\". It has position, setPosition, velocity, followingError, torque, state and error."))
+CAMWRIGHT_CODE(FamilyMismatch, "CW5028", Error, CW_TEXT("Diagnostics", "This controller does not know the family \"%1\" or its model \"%2\"."))
+// CW503…: why a panel's command is refused.
+CAMWRIGHT_CODE(PanelNotArmed, "CW5030", Error, CW_TEXT("Diagnostics", "Axis \"%1\" is not armed. Arm it first, and keep the heartbeats coming while it moves."))
+CAMWRIGHT_CODE(PanelRefusedByProgram, "CW5031", Error, CW_TEXT("Diagnostics", "The program is executing a motion instruction on axis \"%1\". Wait until it has ended, or stop the axis."))
+CAMWRIGHT_CODE(PanelAxisNotEnabled, "CW5032", Error, CW_TEXT("Diagnostics", "Axis \"%1\" is not enabled. Enable it first."))
+CAMWRIGHT_CODE(PanelAxisOffline, "CW5033", Error, CW_TEXT("Diagnostics", "Axis \"%1\" is not on the bus."))
+CAMWRIGHT_CODE(PanelAxisInError, "CW5034", Error, CW_TEXT("Diagnostics", "Axis \"%1\" is in Errorstop. Remove the cause and reset it first."))
+CAMWRIGHT_CODE(PanelStillMoving, "CW5035", Error, CW_TEXT("Diagnostics", "Axis \"%1\" is still moving. Stop it, or wait until it stands."))
+CAMWRIGHT_CODE(PanelBadNumber, "CW5036", Error, CW_TEXT("Diagnostics", "%1 is no usable %2 for axis \"%3\"."))
+CAMWRIGHT_CODE(PanelOwnAcceleration, "CW5037", Error, CW_TEXT("Diagnostics", "A Kinco axis moves with its drive's own acceleration. Leave the acceleration at 0, or set drive parameters 0 and 1 with MC_WPARAS."))
+// CW504…: saved state, retained data.
+CAMWRIGHT_CODE(StateVersion, "CW5040", Error, CW_TEXT("Diagnostics", "This saved state has version %1; this program reads version %2."))
+CAMWRIGHT_CODE(StateDamaged, "CW5041", Error, CW_TEXT("Diagnostics", "The saved state is damaged and was not taken."))
+CAMWRIGHT_CODE(RetainedDamaged, "CW5042", Error, CW_TEXT("Diagnostics", "The retained data are damaged and were not taken. Memory starts with its initial values."))
+// CW505…: traces.
+CAMWRIGHT_CODE(TraceWithoutChannels, "CW5050", Error, CW_TEXT("Diagnostics", "A trace needs at least one channel and at most %1."))
+CAMWRIGHT_CODE(TraceBadSetting, "CW5051", Error, CW_TEXT("Diagnostics", "The trace setting \"%1\" is outside its range, which is %2."))
