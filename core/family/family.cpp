@@ -115,6 +115,12 @@ std::uint32_t Family::elementNumber(const Address& address) const
     return address.byte / area(address.area).elementBytes;
 }
 
+const Text& Family::meaningOf(const Address& address) const
+{
+    const auto found = m_data->places.find(address);
+    return found != m_data->places.end() ? found->second : area(address.area).meaning;
+}
+
 bool Family::isWritable(const Address& address) const
 {
     if (address.area >= m_data->areas.size())

@@ -153,6 +153,8 @@ public:
     std::optional<Address> bitOf(const Address& address) const;
     /// Number as people count it: 304 for %VW304, 100 for D100, 15 for X17 (octal), 5 for T5.
     std::uint32_t elementNumber(const Address& address) const;
+    /// What a place is for: of a system flag its own meaning, else that of its area. For tool tips.
+    const Text& meaningOf(const Address& address) const;
     /// Whether the user's program may write the place: not an input, not a system flag that only the controller sets.
     bool isWritable(const Address& address) const;
     /// Whether a row of `bytes` bytes from the start of `address` lies inside its area.

@@ -24,6 +24,7 @@ struct FamilyData {
     Time modelledScanTime{};
     std::uint32_t firstWideCounter = 0xFFFFFFFF; ///< counters from here on are 32 bits wide
     std::vector<MemoryArea> areas;
+    std::map<Address, Text> places; ///< system flags with a meaning of their own
     std::vector<ControllerModel> models;
     std::vector<TimerRange> timers;
     std::vector<DriveParameter> driveParameters;

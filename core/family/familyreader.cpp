@@ -15,6 +15,7 @@ constexpr std::string_view LayoutColumns[] = {"model", "area", "bytes", "retaine
 constexpr std::string_view ModelColumns[] = {"name", "series", "selectable", "digital_inputs", "digital_outputs", "analog_inputs",
     "analog_outputs", "expansion_modules", "ethernet_ports", "can_ports", "pulse_outputs", "high_speed_counters", "axes",
     "motion_instructions", "restart_instructions", "program_instructions"};
+constexpr std::string_view PlaceColumns[] = {"address", "en", "zh", "ru"};
 constexpr std::string_view TimerColumns[] = {"first", "last", "base_us"};
 constexpr std::string_view ParameterColumns[] = {"number", "symbol", "index", "subindex", "object_bits", "type", "process_bits", "unit_linear",
     "unit_rotary", "min", "max", "only_value", "en", "zh", "ru", "sources"};
@@ -43,6 +44,7 @@ public:
         forEachRow("areas.csv", AreaColumns, &FamilyReader::addArea);
         forEachRow("models.csv", ModelColumns, &FamilyReader::addModel);
         forEachRow("layouts.csv", LayoutColumns, &FamilyReader::addLayout);
+        forEachRow("places.csv", PlaceColumns, &FamilyReader::addPlace);
         forEachRow("timers.csv", TimerColumns, &FamilyReader::addTimers);
         if (!m_files("drive_parameters.csv").empty())
             forEachRow("drive_parameters.csv", ParameterColumns, &FamilyReader::addParameter);
@@ -164,6 +166,18 @@ private:
         }
         if (!known)
             row.illegal("model", "a model of models.csv, or *");
+    }
+
+    void addPlace(CsvRow& row)
+    {
+        if (!m_out.syntax || m_out.models.empty())
+            return row.illegal("address", "an address, after a syntax and a model");
+        const std::string text = row.text("address");
+        const auto address = m_out.syntax->parse({text, m_out.areas, m_out.models.front(), AddressMode::Program});
+        if (!address)
+            row.illegal("address", "an address of the family");
+        else if (!m_out.places.emplace(*address, textOf(row)).second)
+            row.duplicate("address");
     }
 
     void addTimers(CsvRow& row)

@@ -160,6 +160,15 @@ TEST(InvtFactsTest, elementsHaveTheCountsOfTheManual) // TS-MEM-01
     EXPECT_FALSE(invtFamily().area(invt::X).writable);
 }
 
+TEST(InvtFactsTest, systemFlagsHaveTheirOwnMeaning) // TS-MEM-09
+{
+    const Family& family = invtFamily();
+    const auto meaning = [&](const char* text) { return family.meaningOf(*family.parseAddress(text, family.defaultModel())).en; };
+    EXPECT_EQ(meaning("SM1"), "On during the first scan after the start");
+    EXPECT_EQ(meaning("SM5"), "System flags");
+    EXPECT_EQ(meaning("D100"), "Data words");
+}
+
 TEST(InvtFactsTest, retainedRangesAreFixed) // TS-MEM-02
 {
     const ControllerModel& model = invtFamily().defaultModel();
