@@ -8,7 +8,7 @@
 
 namespace camwright {
 
-/// The switches of the machine, plant coordinates in counts.
+/// The switches of the machine in counts, seen in the drive's direction.
 struct HomingMachine {
     double lowerLimit = 0;      ///< active at and below
     double upperLimit = 0;      ///< active at and above
@@ -30,7 +30,7 @@ class HomingSequence {
 public:
     enum class State : std::uint8_t { Idle, Searching, Found, Failed };
     struct Demand {
-        int direction = 0;      ///< in plant coordinates: -1, 0, 1
+        int direction = 0;      ///< -1, 0, 1
         bool fast = false;
     };
 

@@ -14,7 +14,7 @@
 namespace camwright {
 
 /// A drive and the machine behind it. Everything in encoder counts of the plant's own coordinate, whose zero is where the
-/// machine's zero is; the drive counts from it until it is homed.
+/// machine's zero is. The encoder is absolute: from power-on to homing the drive shows the plant's position.
 struct SimulatedDriveConfig {
     std::uint8_t node = 1;
     double countsPerTurn = 10000;
@@ -22,7 +22,7 @@ struct SimulatedDriveConfig {
     double inertiaRatio = 1;            ///< load to motor, at least 0
     double lowerLimitSwitch = -1e9;     ///< active at and below
     double upperLimitSwitch = 1e9;      ///< active at and above
-    double homeSwitch = 0;              ///< its edge, or the lower edge of the cam
+    double homeSwitch = 0;              ///< its edge, see homeSwitchActive()
     double homeCamWidth = 0;            ///< of methods 7 … 14 and 23 … 30; 0: a quarter of a turn
     double indexOffset = -1;            ///< of the index pulse in a turn; below 0: a quarter of a turn
     Time bootTime = 100ms;              ///< from power-on to the boot-up message
@@ -71,7 +71,9 @@ public:
     void restore(ByteReader& reader);
 
 private:
+    /// Why the axis ramps down although its state still is an enabled one.
     enum class Leaving : std::uint8_t { No, ToSwitchedOn, ToReady, ToDisabled, QuickStop, Fault };
+    enum class HomingPhase : std::uint8_t { None, Searching, Braking, Returning, Attained, Failed };
 
     SdoAbort checkWrite(ObjectId id, std::int64_t value) override;
     void written(ObjectId id, std::int64_t value) override;
@@ -79,43 +81,55 @@ private:
     void resetNode() override;
     void lifeGuardChanged(bool lost) override;
 
+    // The state machine of CiA 402 (drivestates.cpp).
     void controlWordWritten(std::uint16_t word);
-    void applyCommand(std::uint16_t word);
     void commandInEnabled(std::uint16_t word);
-    void startLeaving(Leaving leaving, int option);
+    void quickStop();
+    void leave(Leaving leaving, bool ramp, double deceleration);
     void finishLeaving();
     void enterState(DriveState state);
+    void connectionLost();
     void fault(std::uint16_t errorCode);
     void resetFault();
+    bool isEnabled() const;
 
-    void operate(Time now);
-    void acceptSetPoint();
+    // Modes of operation (driveoperation.cpp).
+    void takeMode();
+    void setHalted(bool halted);
+    void acceptSetPoint(bool immediately, bool relative);
     void startMove(double target);
+    void resumeMove();
+    void startHoming();
+    void cancelHoming();
+    void operate();
     void operatePosition();
     void operateVelocity();
     void operateHoming();
     void finishHoming();
     void holdAtLimits();
-    void stopReference(double deceleration);
-    double clampTarget(double target, bool& limited) const;
+    void superviseFollowing();
+    bool limitAhead(double direction) const;
+    bool clampToSoftLimits(double& target) const;
     MotionLimits profileLimits(double velocity) const;
 
-    void superviseFollowing();
-    void updateStatus(Time now);
-    std::uint16_t modeBits(Time now);
-    bool positionReached(Time now);
+    void initialise();
     void publish();
+    std::uint16_t statusWord();
+    std::uint16_t modeBits();
+    bool positionReached();
     std::uint32_t digitalInputs() const;
-    double toDrive(double plant) const;
-    double toPlant(double drive) const;
-    void loadDefaults();
-
-    std::int64_t value(ObjectDictionary::Slot slot) const { return m_dictionary.number(slot); }
+    HomingMachine machine() const;
+    Bytes storedParameters() const;
+    void loadParameters(bool saved);
+    double direction() const { return m_dictionary.number(m_slots.polarity) == 0 ? 1.0 : -1.0; }
+    double drivePosition() const { return direction() * m_plant.position() + m_offset; }
+    double number(ObjectDictionary::Slot slot) const { return static_cast<double>(m_dictionary.number(slot)); }
+    double ramp(ObjectDictionary::Slot slot) const { return number(slot) < 1 ? 1.0 : number(slot); }
 
     SimulatedDriveConfig m_config;
     ObjectDictionary m_dictionary;
-    DriveSlots m_slots;
     CanopenSlave m_slave;
+    DriveSlots m_slots;
     ServoPlant m_plant;
     TrapezoidMotion m_motion;     ///< the reference, drive counts
     HomingSequence m_homing;
@@ -123,29 +137,26 @@ private:
 
     DriveState m_state = DriveState::NotReady;
     Leaving m_leaving = Leaving::No;
+    HomingPhase m_homingPhase = HomingPhase::None;
     bool m_powered = false;
-    Time m_bootAt{0};
     Time m_now{0};
-    Time m_enabledAt{0};
+    Time m_bootAt{0};
     std::uint16_t m_controlWord = 0;
-    std::uint16_t m_previousControlWord = 0;
     std::int8_t m_mode = 0;
     std::uint16_t m_errorCode = 0;
-    double m_offset = 0;          ///< drive position = direction * plant + offset
-    double m_target = 0;
+    double m_offset = 0;          ///< drive position = direction * plant position + offset
+    double m_target = 0;          ///< of the present set-point
     double m_nextTarget = 0;
     bool m_hasNext = false;
     bool m_acknowledge = false;
-    bool m_moving = false;
+    bool m_moving = false;        ///< the set-point is not reached yet
     bool m_halted = false;
     bool m_internalLimit = false;
     bool m_homed = false;
-    bool m_homingAttained = false;
-    bool m_homingError = false;
     bool m_followingError = false;
-    double m_velocityCommand = 0;
-    Time m_inWindowSince{-1};
-    double m_followingNow = 0;
+    bool m_replan = false;        ///< the speed commanded by velocity mode or homing has to be taken anew
+    double m_speedCommand = 0;
+    Time m_inWindowSince{-1};     ///< below 0: outside
 };
 
 } // namespace camwright
