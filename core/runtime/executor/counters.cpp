@@ -54,16 +54,18 @@ private:
         case CounterKind::Down:
             if (m_hidden.armReset)
                 m_value = m_preset;
-            else if (upEdge)
+            else if (upEdge && m_value > 0)
                 down();
             return m_value <= 0;
         case CounterKind::UpDown:
-        case CounterKind::T600UpDown:
-            if (m_hidden.armReset) {
+            if (m_hidden.armReset)
                 m_value = 0;
-            } else if (upEdge != downEdge) {
+            else if (upEdge != downEdge)
                 upEdge ? up() : down();
-            }
+            return m_value >= m_preset;
+        case CounterKind::T600UpDown: // one input that counts, one that tells the direction
+            if (upEdge)
+                m_hidden.armDown ? down() : up();
             return m_value >= m_preset;
         }
         return false;
