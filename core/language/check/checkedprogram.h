@@ -1,6 +1,5 @@
 #pragma once
 
-#include "core/base/diagnostic.h"
 #include "core/base/value.h"
 #include "core/family/address.h"
 #include "core/family/catalogue.h"
@@ -20,7 +19,8 @@ struct NoOperand {
     bool operator==(const NoOperand&) const = default;
 };
 
-/// Memory. `type` is the type the instruction reads or writes there, already decided where the catalogue allows several.
+/// Memory. For a timer or counter pin the address of its bit, with the type of its value (Family::valueOf gives the place).
+/// `type` is otherwise the type the instruction reads or writes there, already decided where the catalogue allows several.
 struct AddressOperand {
     Address address;
     DataType type = DataType::Bool;
@@ -61,15 +61,15 @@ struct CheckedOperand {
 /// Statements without memory of their own.
 inline constexpr std::uint32_t NoInstance = 0xFFFFFFFF;
 
-/// One statement, all its operands known. Structural statements (StatementRole AndBlock … CloseGroup) have no operands;
-/// OpenAnd and OpenOr may have one contact operand, which the flow of the group begins with.
+/// One statement, all its operands known. Structural statements (StatementRole AndBlock … CloseGroup) have no operands
+/// but for OpenAnd and OpenOr, whose optional contact is what the flow of the group begins with (NoOperand: flow on).
 struct CheckedStatement {
     StatementRole role = StatementRole::Block;
     ContactForm form = ContactForm::None;
-    const Instruction* instruction = nullptr; ///< null only for structural statements
+    const Instruction* instruction = nullptr; ///< of the catalogue; never null
     std::vector<CheckedOperand> operands;     ///< one for each pin of the instruction, in the catalogue's order
-    DataType type = DataType::Bool;           ///< the type its generic pins (MOVE, EQ, ADD) share
-    std::uint32_t instance = NoInstance;      ///< hidden memory of an edge or a block: dense from 0 in each program
+    DataType type = DataType::Bool;           ///< the type its operands share (MOVE, EQ, ADD); BOOL where there is none
+    std::uint32_t instance = NoInstance;      ///< of edges (contacts, R_TRIG) and blocks: dense from 0 in each program
     TextRange range;
 };
 
@@ -90,7 +90,7 @@ struct CheckedNetwork {
 
 /// A program without errors: every operand typed, in its area, in its range, and allowed on the model.
 struct CheckedProgram {
-    std::string name;
+    ObjectKey key;
     ProgramRole role = ProgramRole::Main;
     DialectId dialect = DialectId::KincoIl;
     std::vector<CheckedNetwork> networks;

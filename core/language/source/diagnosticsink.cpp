@@ -23,6 +23,12 @@ void DiagnosticSink::add(Diagnostic diagnostic)
     m_out.push_back(std::move(diagnostic));
 }
 
+void DiagnosticSink::relate(Place place)
+{
+    if (!m_out.empty() && m_out.size() <= MaximumDiagnostics)
+        m_out.back().related = std::move(place);
+}
+
 void DiagnosticSink::sort()
 {
     // By place, equal places in the order they were found. (stable_sort of the library in use calls what it deprecates.)

@@ -19,6 +19,8 @@ public:
 
     void add(Code code, const TextRange& range, std::vector<std::string> arguments = {}, const TextRange& related = {});
     void add(Diagnostic diagnostic);
+    /// Adds a second place to the diagnostic added last.
+    void relate(Place place);
     /// Puts them into the order of the text.
     void sort();
     bool isFull() const { return m_out.size() >= MaximumDiagnostics; }

@@ -94,7 +94,7 @@ private:
         if (tokens.empty())
             return tokens; // a blank line of the comment
         if (tokens.front().kind == TokenKind::NetworkHeader) {
-            const std::string network = "network " + std::to_string(networkHeaderAt(line.text, tokens.front().column)->number);
+            const std::string network = std::to_string(networkHeaderAt(line.text, tokens.front().column)->number);
             m_sink.add(Code::UnterminatedComment, m_openComment, {network}, rangeOf(line, tokens.front()));
             keepComment(m_openBegin, line.begin, line.begin);
             return tokens;
@@ -304,7 +304,7 @@ private:
     void finish()
     {
         if (m_state == LineState::Comment && !m_ended)
-            m_sink.add(Code::UnterminatedComment, m_openComment, {"the end of the program"});
+            m_sink.add(Code::CommentOpenAtEnd, m_openComment);
         takeTail(m_text.size());
     }
 

@@ -59,17 +59,13 @@ Utf8Character characterAt(std::string_view text, std::size_t offset)
     return {code, length, true};
 }
 
-const char* oddCharacterName(std::uint32_t code)
+bool isOddCharacter(std::uint32_t code)
 {
-    if ((code < 0x20 && code != '\t' && code != '\n' && code != '\r') || (code >= 0x7F && code < 0xA0))
-        return "control character";
-    if ((code >= 0x202A && code <= 0x202E) || (code >= 0x2066 && code <= 0x2069) || code == 0x200E || code == 0x200F || code == 0x061C)
-        return "text direction";
-    if ((code >= 0x200B && code <= 0x200D) || code == 0x2060 || code == 0xFEFF || code == 0x00AD || code == 0x180E)
-        return "zero width";
-    if (code == 0x2028 || code == 0x2029)
-        return "line separator";
-    return nullptr;
+    const bool control = (code < 0x20 && code != '\t' && code != '\n' && code != '\r') || (code >= 0x7F && code < 0xA0);
+    const bool direction = (code >= 0x202A && code <= 0x202E) || (code >= 0x2066 && code <= 0x2069) || code == 0x200E || code == 0x200F || code == 0x061C;
+    const bool zeroWidth = (code >= 0x200B && code <= 0x200D) || code == 0x2060 || code == 0xFEFF || code == 0x00AD || code == 0x180E;
+    const bool lineEnd = code == 0x2028 || code == 0x2029;
+    return control || direction || zeroWidth || lineEnd;
 }
 
 bool isOddBlank(std::uint32_t code)
@@ -153,7 +149,7 @@ std::string shortened(std::string_view text, std::size_t limit)
         }
         if (!character.legal)
             out += "\xEF\xBF\xBD";
-        else if (character.code < 0x20 || oddCharacterName(character.code))
+        else if (character.code < 0x20 || isOddCharacter(character.code))
             out += ' ';
         else
             out += text.substr(at, character.length);

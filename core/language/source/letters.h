@@ -17,9 +17,9 @@ struct Utf8Character {
 /// Decodes the character that starts at `offset` (inside the text).
 Utf8Character characterAt(std::string_view text, std::size_t offset);
 
-/// Why a character may not stand in a program: invisible, changes the reading direction, or a control. Null for others.
-/// Tab, \n, \r are legal.
-const char* oddCharacterName(std::uint32_t code);
+/// Whether a character may not stand in a program: invisible, changes the reading direction, or a control. Tab, \n and \r
+/// are legal.
+bool isOddCharacter(std::uint32_t code);
 
 /// A character that looks like a blank and is none (no-break space and its kin).
 bool isOddBlank(std::uint32_t code);

@@ -133,10 +133,8 @@ void StatementReader::checkCharacters(std::string_view line, std::uint32_t numbe
             m_sink.add(Code::SourceNotUtf8, range, {fmt::format("{:02X}", character.code)});
             return; // a file in another encoding has thousands; one a line tells enough
         }
-        if (const char* odd = oddCharacterName(character.code))
-            m_sink.add(Code::OddCharacter, range, {codePointName(character.code), odd});
-        else if (isOddBlank(character.code) && !isInComment(tokens, at))
-            m_sink.add(Code::OddCharacter, range, {codePointName(character.code), "blank"});
+        if (isOddCharacter(character.code) || (isOddBlank(character.code) && !isInComment(tokens, at)))
+            m_sink.add(Code::OddCharacter, range, {codePointName(character.code)});
         at += character.length;
     }
 }

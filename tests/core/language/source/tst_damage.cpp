@@ -43,8 +43,8 @@ const Case Cases[] = {
     {"fullWidthComma", KincoIl, NET "LD %M0.4\nMOVE 1，%VW0\n", "CW3013@3:6"},
     {"fence", KincoIl, "```\n" NET "LD %M0.4\nST %M0.0\n```\n", "CW3004@1:1 CW3015@1:1 CW3016@2:1 CW3004@5:1"},
     // Comments.
-    {"openAtEnd", KincoIl, NET "LD %M0.0\nST %M0.1\n(* so", "CW3001@4:1"},
-    {"openAfterStatement", KincoIl, NET "LD %M0.0\nST %M0.1 (* so\nLD\n\n", "CW3001@3:10"},
+    {"openAtEnd", KincoIl, NET "LD %M0.0\nST %M0.1\n(* so", "CW3019@4:1"},
+    {"openAfterStatement", KincoIl, NET "LD %M0.0\nST %M0.1 (* so\nLD\n\n", "CW3019@3:10"},
     {"openTwice", KincoIl, "(* a\n(* Network 0 *)\n(* b\n(* Network 1 *)\n", "CW3001@1:1 CW3001@3:1"},
     {"textBehindComment", KincoIl, NET "LD %M0.0\n(* a *) ; (* b *)\nST %M0.1\n", "CW3002@3:9"},
     {"slashes", KincoIl, NET "LD %M0.0 // a\nST %M0.1\n", "CW3013@2:4"},

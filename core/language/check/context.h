@@ -1,0 +1,67 @@
+#pragma once
+
+#include "core/family/family.h"
+#include "core/language/source/dialect.h"
+#include "core/model/project.h"
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace camwright {
+
+/// A global variable as programs see it.
+struct KnownVariable {
+    std::string name;
+    DataType type = DataType::Bool;
+    std::optional<Address> address; ///< none: its row is wrong, or the family has no variables without an address
+    bool isBound = false;           ///< the user gave the address; else it lies in VariablesArea
+    bool retain = false;
+    Place place;                    ///< its row: table and "rows[n]"
+};
+
+struct KnownAxis {
+    std::string name;
+    std::uint32_t number = 0;
+};
+
+struct KnownProgram {
+    std::string name;
+    ProgramRole role = ProgramRole::Main;
+};
+
+/// What a program is read against: its family, and what else the project has. A value; made for one snapshot.
+struct LanguageContext {
+    const Family* family = nullptr;
+    const ControllerModel* model = nullptr;
+    const Dialect* dialect = nullptr;
+    std::vector<KnownVariable> variables;   ///< in the order of the tables and rows
+    std::vector<KnownAxis> axes;
+    std::vector<KnownProgram> programs;
+    std::uint32_t variableBytes = 0;        ///< size of VariablesArea
+    bool strictKinco = false;               ///< refuse what the vendor's tool does not take: AND( and OR( (CONTRACTS 32)
+
+    const KnownVariable* findVariable(std::string_view name) const;
+    const KnownProgram* findProgram(std::string_view name) const;
+    const KnownAxis* findAxis(std::uint32_t number) const;
+    const KnownAxis* findAxis(std::string_view name) const;
+    /// The variable whose address begins at the same place and is as wide: it forces its type onto it (KS-MEM-06).
+    const KnownVariable* variableAt(const Address& address) const;
+
+    /// Fills the look-up tables; contextOf() has done it.
+    void index();
+
+private:
+    std::map<std::string, std::size_t, std::less<>> m_byName;
+    std::map<std::pair<AreaId, std::uint64_t>, std::size_t> m_byPlace; ///< area, then byte * 8 + bit
+};
+
+/// The context of a project, valid or not: rows and fields that are wrong are left out, the checks of the project report
+/// them. Nothing if the family or the model is unknown. Variables without an address get one in VariablesArea where the
+/// family has such variables (TS600): in order, BOOL one byte, all others on even bytes.
+std::optional<LanguageContext> contextOf(const Project& project);
+
+} // namespace camwright

@@ -1,0 +1,339 @@
+#include "core/language/check/resolvedprogram.h"
+
+#include "core/language/source/letters.h"
+#include "core/language/source/operandtext.h"
+
+#include <algorithm>
+
+namespace camwright {
+
+namespace {
+
+struct Misprint {
+    std::string_view family, printed, meant;
+};
+
+/// Words of the manuals that are not instructions, and what they stand for (KS-IL-10 and kinco-ks.md section 10).
+constexpr Misprint Misprints[] = {
+    {"kinco", "BN", "GE"}, {"kinco", "MC_RESTRAT", "MC_RESTART"}, {"kinco", "MIOT_MC", "MC_MIOT"}, {"kinco", "CALL", "CAL"},
+    {"kinco", "LDI", "LDN"}, {"kinco", "ANI", "ANDN"}, {"kinco", "ORI", "ORN"}, {"kinco", "OUT", "ST"}, {"kinco", "MOV", "MOVE"},
+    {"kinco", "SET", "S"}, {"kinco", "RST", "R"}, {"kinco", "EU", "R_TRIG"}, {"kinco", "ED", "F_TRIG"},
+    {"invt", "LDN", "LDI"}, {"invt", "ANDN", "ANI"}, {"invt", "ORN", "ORI"}, {"invt", "ST", "OUT"}, {"invt", "MOVE", "MOV"},
+    {"invt", "CAL", "CALL"}, {"invt", "S", "SET"}, {"invt", "R", "RST"},
+};
+
+class Resolver {
+public:
+    Resolver(const LanguageContext& context, const ObjectKey& key, Diagnostics& diagnostics)
+        : m_context(context), m_family(*context.family), m_sink(diagnostics, key)
+    {
+    }
+
+    ResolvedRung rung(const Rung& rung)
+    {
+        ResolvedRung out{{}, rung.drawable, rung.tree, rung.range};
+        for (const Statement& statement : rung.statements) {
+            out.statements.push_back(this->statement(statement));
+            m_complete = m_complete && out.statements.back().isComplete;
+        }
+        return out;
+    }
+
+    bool isComplete() const { return m_complete; }
+
+private:
+    ResolvedStatement statement(const Statement& statement)
+    {
+        ResolvedStatement out;
+        out.role = statement.role;
+        out.form = statement.form;
+        out.range = statement.range;
+        if (statement.role == StatementRole::Invalid) {
+            out.isComplete = false;
+            return out;
+        }
+        out.instruction = m_family.catalogue().find(statement.mnemonic);
+        if (!out.instruction) {
+            unknownInstruction(statement);
+            out.isComplete = false;
+            return out;
+        }
+        needs(out, statement);
+        if (m_context.strictKinco && (out.role == StatementRole::OpenAnd || out.role == StatementRole::OpenOr))
+            m_sink.add(Code::GroupNotInFamily, mnemonicRange(statement), {out.instruction->mnemonic});
+        place(statement, out);
+        return out;
+    }
+
+    static TextRange mnemonicRange(const Statement& statement)
+    {
+        TextRange out = statement.range;
+        out.endLine = out.line;
+        out.endColumn = out.column + static_cast<std::uint32_t>(statement.mnemonic.size());
+        return out;
+    }
+
+    void unknownInstruction(const Statement& statement)
+    {
+        const std::string& word = statement.mnemonic;
+        const std::string shown = shortened(word);
+        const TextRange range = mnemonicRange(statement);
+        if (const std::string latin = withLatinLetters(word); latin != word && m_family.catalogue().find(latin)) {
+            m_sink.add(Code::LookalikeLetters, range, {shown, firstLookalike(word), latin});
+            return;
+        }
+        const std::string upper = upperCase(word);
+        for (const Misprint& misprint : Misprints)
+            if (misprint.family == m_family.id() && misprint.printed == upper) {
+                m_sink.add(Code::UnknownInstructionNear, range, {shown, m_family.displayName(), std::string(misprint.meant)});
+                return;
+            }
+        std::vector<std::string_view> names;
+        for (const Instruction& instruction : m_family.catalogue().instructions())
+            names.push_back(instruction.mnemonic);
+        if (const std::string near = nearestName(word, names); !near.empty())
+            m_sink.add(Code::UnknownInstructionNear, range, {shown, m_family.displayName(), near});
+        else
+            m_sink.add(Code::UnknownInstruction, range, {shown, m_family.displayName()});
+    }
+
+    /// What the model must have for the instruction.
+    void needs(ResolvedStatement& out, const Statement& statement)
+    {
+        const Capability needed = out.instruction->needs;
+        if (m_context.model->has(needed))
+            return;
+        const Code code = needed == Capability::PulseOutputs ? Code::NeedsPulseOutputs : Code::NeedsMotionAxes;
+        m_sink.add(code, mnemonicRange(statement), {out.instruction->mnemonic, m_context.model->name});
+        out.isComplete = false;
+    }
+
+    /// Puts the operands to their pins: by place, or by name.
+    void place(const Statement& statement, ResolvedStatement& out)
+    {
+        const Instruction& instruction = *out.instruction;
+        std::vector<const Operand*> atPin(instruction.pins.size(), nullptr);
+        std::size_t next = 0, extra = 0;
+        for (const Operand& operand : statement.operands) {
+            std::size_t pin = next;
+            if (!operand.pin.empty()) {
+                pin = pinIndex(instruction, operand, out);
+                if (pin == instruction.pins.size())
+                    continue;
+            } else {
+                ++next;
+            }
+            if (pin >= instruction.pins.size() || instruction.pins[pin].kind == PinKind::Arguments) {
+                ++extra;
+                continue;
+            }
+            if (atPin[pin]) {
+                m_sink.add(Code::PinGivenTwice, operand.range, {instruction.pins[pin].name, instruction.mnemonic});
+                out.isComplete = false;
+            }
+            atPin[pin] = &operand;
+        }
+        if (extra > 0)
+            tooMany(statement, out, extra);
+        for (std::size_t i = 0; i < instruction.pins.size(); ++i)
+            if (instruction.pins[i].kind != PinKind::Arguments)
+                out.operands.push_back(operand(statement, instruction.pins[i], atPin[i], out));
+    }
+
+    std::size_t pinIndex(const Instruction& instruction, const Operand& operand, ResolvedStatement& out)
+    {
+        const std::string wanted = upperCase(operand.pin);
+        std::string all;
+        for (std::size_t i = 0; i < instruction.pins.size(); ++i) {
+            if (upperCase(instruction.pins[i].name) == wanted)
+                return i;
+            all += (i ? ", " : "") + instruction.pins[i].name;
+        }
+        m_sink.add(Code::UnknownPin, operand.range, {instruction.mnemonic, shortened(operand.pin), all});
+        out.isComplete = false;
+        return instruction.pins.size();
+    }
+
+    void tooMany(const Statement& statement, ResolvedStatement& out, std::size_t extra)
+    {
+        const Instruction& instruction = *out.instruction;
+        const TextRange& range = statement.operands[statement.operands.size() - extra].range;
+        const bool isCall = std::any_of(instruction.pins.begin(), instruction.pins.end(), [](const Pin& pin) { return pin.kind == PinKind::Arguments; });
+        if (isCall)
+            m_sink.add(Code::NoParameters, range, {shortened(statement.operands.front().text)});
+        else
+            m_sink.add(Code::TooManyOperands, range, {instruction.mnemonic, std::to_string(instruction.pins.size()),
+                std::to_string(statement.operands.size()), signature(*m_context.dialect, instruction)});
+        out.isComplete = false;
+    }
+
+    ResolvedOperand operand(const Statement& statement, const Pin& pin, const Operand* written, ResolvedStatement& out)
+    {
+        const Instruction& instruction = *out.instruction;
+        ResolvedOperand result{&pin, std::monostate{}, {}, {}};
+        if (!written) {
+            if (!pin.optional) {
+                if (out.isComplete) // one message a statement
+                    m_sink.add(Code::TooFewOperands, statement.range, {instruction.mnemonic, pin.name, signature(*m_context.dialect, instruction)});
+                out.isComplete = false;
+            }
+            return result;
+        }
+        result.text = written->text;
+        result.range = written->range;
+        switch (written->kind) {
+        case OperandKind::Missing:
+            m_sink.add(Code::OperandToFillIn, written->range, {pin.name, instruction.mnemonic});
+            out.isComplete = false;
+            break;
+        case OperandKind::Empty:
+            if (pin.optional)
+                break;
+            m_sink.add(Code::OperandNotOptional, written->range, {pin.name, instruction.mnemonic});
+            out.isComplete = false;
+            break;
+        case OperandKind::Damaged:
+            out.isComplete = false;
+            break;
+        case OperandKind::Text:
+            if (auto value = this->value(pin, *written))
+                result.value = std::move(*value);
+            else
+                out.isComplete = false;
+            break;
+        }
+        return result;
+    }
+
+    std::optional<ResolvedValue> value(const Pin& pin, const Operand& operand)
+    {
+        if (pin.kind == PinKind::Program)
+            return programName(operand);
+        if (pin.kind == PinKind::Axis)
+            return axis(operand);
+        const TokenKind form = operandForm(*m_context.dialect, operand.text);
+        if (form == TokenKind::Address)
+            return address(operand);
+        if (auto literal = Literal::read(operand.text))
+            return ResolvedValue(std::move(*literal));
+        if (form == TokenKind::Symbol)
+            return symbol(operand);
+        const std::string type(pin.types.isEmpty() ? name(DataType::Int) : name(pin.types.list().front()));
+        m_sink.add(Code::BadConstant, operand.range, {shortened(operand.text), type, pin.types.contains(DataType::Real) ? "1.5" : "16#FF"});
+        return std::nullopt;
+    }
+
+    std::optional<ResolvedValue> address(const Operand& operand)
+    {
+        auto address = m_family.parseAddress(operand.text, *m_context.model);
+        if (address)
+            return ResolvedMemory{*address, nullptr};
+        addMoved(std::move(address).error(), operand);
+        return std::nullopt;
+    }
+
+    /// A diagnostic about a word alone, put where the word stands.
+    void addMoved(Diagnostic diagnostic, const Operand& operand)
+    {
+        TextRange& range = diagnostic.place.range;
+        if (range.isValid()) {
+            range.line = range.endLine = operand.range.line;
+            range.column += operand.range.column - 1;
+            range.endColumn += operand.range.column - 1;
+        } else {
+            range = operand.range;
+        }
+        diagnostic.place.object = m_sink.object();
+        m_sink.add(std::move(diagnostic));
+    }
+
+    std::optional<ResolvedValue> symbol(const Operand& operand)
+    {
+        if (const KnownVariable* variable = m_context.findVariable(operand.text)) {
+            if (variable->address)
+                return ResolvedMemory{*variable->address, variable};
+            m_sink.add(Code::VariableWithoutAddress, operand.range, {variable->name});
+            m_sink.relate(variable->place);
+            return std::nullopt;
+        }
+        if (m_context.dialect->commaSeparated && lacksPercent(operand.text))
+            return address(operand);
+        const std::string shown = shortened(operand.text);
+        if (const std::string latin = withLatinLetters(operand.text); latin != operand.text) {
+            const TokenKind form = operandForm(*m_context.dialect, latin);
+            if (form != TokenKind::Symbol || lacksPercent(latin) || m_context.findVariable(latin)) {
+                m_sink.add(Code::LookalikeLetters, operand.range, {shown, firstLookalike(operand.text), latin});
+                return std::nullopt;
+            }
+        }
+        std::vector<std::string_view> names;
+        if (m_nearSearches++ < MaximumNearSearches)
+            for (const KnownVariable& variable : m_context.variables)
+                names.push_back(variable.name);
+        if (const std::string near = nearestName(operand.text, names); !near.empty())
+            m_sink.add(Code::UnknownNameNear, operand.range, {shown, near});
+        else
+            m_sink.add(Code::UnknownName, operand.range, {shown});
+        return std::nullopt;
+    }
+
+    std::optional<ResolvedValue> programName(const Operand& operand)
+    {
+        const KnownProgram* program = m_context.findProgram(operand.text);
+        const std::string shown = shortened(operand.text);
+        if (program && program->role == ProgramRole::Subroutine)
+            return ResolvedProgramName{program->name};
+        if (program) {
+            m_sink.add(Code::NotASubroutine, operand.range, {shown});
+            return std::nullopt;
+        }
+        std::vector<std::string_view> names;
+        for (const KnownProgram& known : m_context.programs)
+            if (known.role == ProgramRole::Subroutine)
+                names.push_back(known.name);
+        if (const std::string near = nearestName(operand.text, names); !near.empty())
+            m_sink.add(Code::UnknownSubroutineNear, operand.range, {shown, near});
+        else
+            m_sink.add(Code::UnknownSubroutine, operand.range, {shown});
+        return std::nullopt;
+    }
+
+    std::optional<ResolvedValue> axis(const Operand& operand)
+    {
+        if (const KnownAxis* axis = m_context.findAxis(std::string_view(operand.text)))
+            return ResolvedValue(*Literal::read(std::to_string(axis->number)));
+        if (operandForm(*m_context.dialect, operand.text) == TokenKind::Address)
+            return address(operand);
+        if (auto literal = Literal::read(operand.text); literal && literal->types().contains(DataType::Int))
+            return ResolvedValue(std::move(*literal));
+        m_sink.add(Code::UnknownAxis, operand.range, {shortened(operand.text)});
+        return std::nullopt;
+    }
+
+    /// Comparing with every variable is slow; a text of another kind has thousands of unknown names.
+    static constexpr unsigned MaximumNearSearches = 20;
+
+    const LanguageContext& m_context;
+    const Family& m_family;
+    DiagnosticSink m_sink;
+    bool m_complete = true;
+    unsigned m_nearSearches = 0;
+};
+
+} // namespace
+
+ResolvedProgram resolve(const ParsedProgram& program, ProgramRole role, const LanguageContext& context, Diagnostics& diagnostics)
+{
+    ResolvedProgram out{program.object, role, program.dialect, {}, !hasErrors(program.diagnostics)};
+    Resolver resolver(context, program.object, diagnostics);
+    for (const ParsedNetwork& network : program.networks) {
+        ResolvedNetwork resolved{network.number, {}, network.range};
+        for (const ParsedRung& rung : network.rungs)
+            resolved.rungs.push_back(resolver.rung(rung.rung));
+        out.networks.push_back(std::move(resolved));
+    }
+    out.isComplete = out.isComplete && resolver.isComplete() && !hasErrors(diagnostics);
+    return out;
+}
+
+} // namespace camwright
