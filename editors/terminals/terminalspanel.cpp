@@ -1,6 +1,7 @@
 #include "editors/terminals/terminalspanel.h"
 
 #include "editors/shell/context.h"
+#include "editors/shell/control.h"
 #include "editors/shell/theme.h"
 #include "editors/shell/widgets.h"
 #include "editors/terminals/terminallamp.h"
@@ -121,10 +122,12 @@ void TerminalsPanel::update(const MonitorUpdate& newest)
 
 void TerminalsPanel::switchInput(const QString& name, bool on)
 {
-    QPointer<TerminalsPanel> self(this);
-    context().link()->write(name.toStdString(), Value::ofBool(on), [self](const Result<void>& done) {
-        if (self && !done)
-            self->context().notify(done.error());
+    withControl(context(), this, [this, name, on] {
+        QPointer<TerminalsPanel> self(this);
+        context().link()->write(name.toStdString(), Value::ofBool(on), [self](const Result<void>& done) {
+            if (self && !done)
+                self->context().notify(done.error());
+        });
     });
 }
 
