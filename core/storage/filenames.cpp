@@ -1,7 +1,7 @@
 #include "core/storage/filenames.h"
 
 #include "core/base/hash.h"
-#include "core/storage/utf8.h"
+#include "core/base/utf8.h"
 
 #include <algorithm>
 #include <array>

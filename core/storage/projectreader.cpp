@@ -109,7 +109,7 @@ private:
         for (const auto& [other, known] : m_out.files) {
             if (known.object->key == key) {
                 Place place{key, {}, {}, file};
-                m_errors.push_back(diagnostic(Code::ObjectTwice, {other, file, kindName(key.kind), key.name}, place));
+                m_errors.push_back(diagnostic(Code::ObjectTwice, {other, file, key.name}, place));
                 return;
             }
         }

@@ -1,6 +1,6 @@
 #include "core/storage/quotedtext.h"
 
-#include "core/storage/utf8.h"
+#include "core/base/utf8.h"
 
 #include <charconv>
 #include <cstdint>

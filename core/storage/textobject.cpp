@@ -2,7 +2,7 @@
 
 #include "core/storage/filenames.h"
 #include "core/storage/settingsline.h"
-#include "core/storage/utf8.h"
+#include "core/base/utf8.h"
 #include "core/storage/variabletext.h"
 
 #include <algorithm>
@@ -39,20 +39,20 @@ std::string settingsOf(const Object& object)
     return writeSettingsLine(values);
 }
 
-Diagnostics settingWrong(const ObjectKey& key, const std::string& file, const std::string& setting, const std::string& text,
-                         const char* wanted)
+Diagnostics wrongSetting(Code code, const ObjectKey& key, const std::string& file, const char* setting, std::vector<std::string> arguments)
 {
-    Place place{key, setting, {1, 1, 1, 1}, file};
-    return {diagnostic(Code::SettingWrong, {setting, text, wanted}, place)};
+    return {diagnostic(code, std::move(arguments), Place{key, setting, {1, 1, 1, 1}, file})};
 }
 
 Result<ProgramRole, Diagnostics> readRole(const ObjectKey& key, const std::string& file, const std::string& text)
 {
+    std::string names;
     for (const RoleName& row : RoleNames) {
         if (row.name == text)
             return row.role;
+        names += (names.empty() ? "" : ", ") + std::string(row.name);
     }
-    return settingWrong(key, file, "role", text, "main, subroutine or interrupt");
+    return wrongSetting(Code::RoleUnknown, key, file, "role", {text, names});
 }
 
 Result<std::int64_t, Diagnostics> readOrder(const ObjectKey& key, const std::string& file, const std::string& text)
@@ -61,7 +61,7 @@ Result<std::int64_t, Diagnostics> readOrder(const ObjectKey& key, const std::str
     const char* end = text.data() + text.size();
     const auto result = std::from_chars(text.data(), end, order);
     if (result.ptr != end || result.ec != std::errc{})
-        return settingWrong(key, file, "order", text, "a whole number");
+        return wrongSetting(Code::WholeNumberExpected, key, file, "order", {"order"});
     return order;
 }
 

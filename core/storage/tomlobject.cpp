@@ -114,7 +114,7 @@ public:
         if (!value)
             return;
         if (value->kind == TomlValue::Kind::Array || value->kind == TomlValue::Kind::Table)
-            wrongKind(key, "a single value", *value);
+            fail(Code::SingleValueExpected, key, *value);
         else
             field = fieldOf(*value, T{});
     }
@@ -122,7 +122,7 @@ public:
     {
         const TomlValue* value = take(key);
         if (value && value->kind != TomlValue::Kind::String)
-            wrongKind(key, "a text", *value);
+            fail(Code::TextExpected, key, *value);
         else if (value)
             text = value->string;
     }
@@ -153,7 +153,7 @@ private:
         if (!value)
             fail(diagnostic(Code::FormatMissing, {std::to_string(ProjectFormat)}), {1, 1, 1, 1});
         else if (value->kind != TomlValue::Kind::Integer || value->integer < 1)
-            wrongKind("format", "a whole number from 1", *value);
+            fail(Code::WholeNumberExpected, "format", *value);
         else if (value->integer > ProjectFormat)
             fail(diagnostic(Code::NewerFormat, {std::to_string(value->integer), std::to_string(ProjectFormat)}), value->range);
         return m_errors.empty();
@@ -163,7 +163,7 @@ private:
     {
         const TomlValue* value = take("order");
         if (value && value->kind != TomlValue::Kind::Integer)
-            wrongKind("order", "a whole number", *value);
+            fail(Code::WholeNumberExpected, "order", *value);
         else if (value)
             order = value->integer;
     }
@@ -175,7 +175,7 @@ private:
         if (!value)
             return out;
         if (value->kind != TomlValue::Kind::Array)
-            wrongKind("rows", "a list of rows", *value);
+            fail(Code::ListExpected, "rows", *value);
         for (std::size_t n = 0; n < value->elements.size(); ++n)
             out.rows.push_back(readRow("rows[" + std::to_string(n) + ']', value->elements[n]));
         return out;
@@ -185,13 +185,13 @@ private:
     {
         WatchRow out;
         if (value.kind != TomlValue::Kind::Table)
-            wrongKind(path, "a row in braces", value);
+            fail(Code::TableExpected, path, value);
         for (const auto& [key, member] : value.members) {
             std::string* text = key == "expression" ? &out.expression : key == "format" ? &out.format : nullptr;
             if (!text)
                 out.unknown.emplace(tomlKey(key), member.text);
             else if (member.kind != TomlValue::Kind::String)
-                wrongKind(path + '.' + key, "a text", member);
+                fail(Code::TextExpected, path + '.' + key, member);
             else
                 *text = member.string;
         }
@@ -237,19 +237,17 @@ private:
                 continue;
             for (const std::string& known : m_known) {
                 if (path.starts_with(known + '.'))
-                    wrongKind(known, "a single value", *value, "a table");
+                    fail(Code::SingleValueExpected, known, *value);
                 else if (known.starts_with(path + '.'))
-                    wrongKind(path, "a table", *value);
+                    fail(Code::TableExpected, path, *value);
             }
             unknown.emplace(path, value->text);
         }
     }
 
-    void wrongKind(const std::string& path, std::string_view wanted, const TomlValue& value, std::string_view found = {})
+    void fail(Code code, const std::string& path, const TomlValue& value)
     {
-        if (found.empty())
-            found = kindText(value.kind);
-        Diagnostic error = diagnostic(Code::WrongTomlKind, {path, std::string(wanted), std::string(found)});
+        Diagnostic error = diagnostic(code, {path});
         error.place.field = path;
         fail(std::move(error), value.range);
     }

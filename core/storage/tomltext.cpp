@@ -1,6 +1,6 @@
 #include "core/storage/tomltext.h"
 
-#include "core/storage/utf8.h"
+#include "core/base/utf8.h"
 
 // Compiled here, once, and not taken from the shared library, so that sanitizers and fuzzers see the parser too. Its
 // assertions are off: 3.3 asserts on what a damaged file may well hold ("[!]") before the code that reports it.
@@ -181,20 +181,6 @@ Result<std::vector<TomlLeaf>> parseToml(std::string_view text, const std::string
         place.range = reader.lines().range(at, at);
         return diagnostic(Code::NotToml, {std::string(error.description())}, place);
     }
-}
-
-std::string_view kindText(TomlValue::Kind kind)
-{
-    switch (kind) {
-    case TomlValue::Kind::String: return "a text";
-    case TomlValue::Kind::Integer: return "a whole number";
-    case TomlValue::Kind::Float: return "a number";
-    case TomlValue::Kind::Boolean: return "true or false";
-    case TomlValue::Kind::Date: return "a date or time";
-    case TomlValue::Kind::Array: return "a list";
-    case TomlValue::Kind::Table: return "a table";
-    }
-    return "";
 }
 
 std::string tomlString(std::string_view text)

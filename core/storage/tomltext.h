@@ -45,9 +45,6 @@ struct TomlLeaf {
 /// All leaves by place in the file. `file` is named in the diagnostic.
 Result<std::vector<TomlLeaf>> parseToml(std::string_view text, const std::string& file);
 
-/// "a text", "a whole number" …: English, argument of WrongTomlKind.
-std::string_view kindText(TomlValue::Kind kind);
-
 std::string tomlString(std::string_view text); ///< quoted; what is not UTF-8 becomes U+FFFD
 std::string tomlNumber(double value);          ///< shortest that reads back the same; always with a point or exponent
 std::string tomlKey(std::string_view part);    ///< quoted where it must be

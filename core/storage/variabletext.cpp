@@ -74,7 +74,7 @@ private:
         Variable row;
         row.retain = retain;
         TextRange range{m_line, column(), 0, 0};
-        if (!readToken(row.name, "the name of a variable", isWordCharacter) || !readAddress(row) || !readType(row) || !readInitial(row)) {
+        if (!readToken(row.name, "NAME", isWordCharacter) || !readAddress(row) || !readType(row) || !readInitial(row)) {
             skipLine();
             return;
         }
@@ -91,18 +91,18 @@ private:
         if (!takeWord("AT"))
             return true;
         skipSpace();
-        return readToken(row.address, "an address", isAddressCharacter);
+        return readToken(row.address, "ADDRESS", isAddressCharacter);
     }
 
     bool readType(Variable& row)
     {
         skipSpace();
         if (!take(":"))
-            return expected("\":\" and a type");
+            return expected(":");
         skipSpace();
         std::string type;
         const bool inQuotes = peek() == '"';
-        if (!readToken(type, "a type", isWordCharacter))
+        if (!readToken(type, "TYPE", isWordCharacter))
             return false;
         const auto known = inQuotes ? std::nullopt : dataTypeByName(type);
         row.type = known ? Field<DataType>(*known) : Field<DataType>::typed(type);
@@ -115,7 +115,7 @@ private:
         if (take(":=")) {
             skipSpace();
             if (peek() == '"') {
-                if (!readToken(row.initial, "a value", isWordCharacter))
+                if (!readToken(row.initial, "VALUE", isWordCharacter))
                     return false;
             } else {
                 const std::size_t end = std::min(m_text.find_first_of(";\n", m_at), m_text.size());
@@ -123,11 +123,11 @@ private:
                 m_at = end;
                 row.initial.erase(row.initial.find_last_not_of(" \t\r") + 1);
                 if (row.initial.empty())
-                    return expected("a value");
+                    return expected("VALUE");
             }
             skipSpace();
         }
-        return take(";") || expected("\";\"");
+        return take(";") || expected(";");
     }
 
     /// A comment behind the row on its last line.
@@ -158,7 +158,7 @@ private:
         if (peek() == '"') {
             const auto length = quotedLength(m_text.substr(m_at));
             if (!length)
-                return expected("a closing quote in this line");
+                return expected("\"");
             out = unescaped(m_text.substr(m_at + 1, *length - 2));
             m_at += *length;
             return true;
@@ -192,7 +192,7 @@ private:
     {
         const std::size_t end = m_text.find("*)", m_at + 2);
         if (end == std::string_view::npos)
-            expected("\"*)\" at the end of this comment");
+            expected("*)");
         const std::size_t to = end == std::string_view::npos ? m_text.size() : end + 2;
         while (m_at < to) {
             if (m_text[m_at] == '\n')
@@ -225,16 +225,13 @@ private:
         return true;
     }
 
+    /// The word or character at which reading stopped; empty at the end of a line.
     std::string found() const
     {
-        if (m_at >= m_text.size())
-            return "the end of the file";
-        if (peek() == '\n')
-            return "the end of the line";
         const std::string_view rest = m_text.substr(m_at, 40);
         const auto end = std::find_if_not(rest.begin(), rest.end(), isWordCharacter);
-        const std::size_t length = static_cast<std::size_t>(end - rest.begin());
-        return '"' + std::string(rest.substr(0, std::max<std::size_t>(length, 1))) + '"';
+        const std::size_t length = std::max<std::size_t>(static_cast<std::size_t>(end - rest.begin()), 1);
+        return rest.starts_with('\n') ? std::string() : std::string(rest.substr(0, length));
     }
 
     bool expected(std::string_view what)
@@ -242,8 +239,10 @@ private:
         Place place;
         place.file = m_file;
         place.range = {m_line, column(), m_line, column() + 1};
+        const std::string wanted(what);
         if (m_errors.size() < MostErrors)
-            m_errors.push_back(diagnostic(Code::VariableTextWrong, {std::string(what), found()}, place));
+            m_errors.push_back(m_at >= m_text.size() ? diagnostic(Code::VariableTextEnds, {wanted}, place)
+                                                     : diagnostic(Code::VariableTextWrong, {wanted, found()}, place));
         return false;
     }
 

@@ -1,6 +1,6 @@
 #include "core/storage/filenames.h"
 #include "core/storage/objecttext.h"
-#include "core/storage/utf8.h"
+#include "core/base/utf8.h"
 
 #include <gtest/gtest.h>
 
