@@ -48,13 +48,13 @@ Axis::Axis(const AxisConfiguration& configuration, CanopenMaster& master)
 {
 }
 
-void Axis::observe(Time now)
+void Axis::observe(Time now, bool startingUp)
 {
     m_now = now;
     m_inputs = m_master.inputs(node());
     m_online = m_master.isOnline(node());
     const NodeState nodeState = m_master.nodeState(node());
-    const bool lostNow = nodeState == NodeState::Lost || nodeState == NodeState::BootFailed;
+    const bool lostNow = nodeState == NodeState::Lost || (nodeState == NodeState::BootFailed && !startingUp);
     m_justLost = lostNow && !m_lost;
     m_lost = lostNow;
     const bool faultNow = m_motion.hasFault();

@@ -40,7 +40,8 @@ public:
     std::uint8_t node() const { return m_configuration.number; }
 
     // Once each motion cycle: observe() after the bus, act() after everybody has commanded.
-    void observe(Time now);
+    /// `startingUp`: nodes that have not come up yet are not missed yet.
+    void observe(Time now, bool startingUp);
     void act(Time now);
 
     // Power: enabled while the program or the panel wants it (CONTRACTS 20).

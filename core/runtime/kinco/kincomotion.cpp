@@ -12,6 +12,10 @@ namespace {
 /// What a plain alarm injected into a drive is: motor over-temperature (CiA 402).
 constexpr std::uint16_t kInjectedAlarm = 0x4310;
 
+/// Drives may take this long from power-on until their node answers; a program starts no sooner than the nodes are up or
+/// this has passed (ours).
+constexpr Time kStartUpTime = 1s;
+
 std::uint32_t baudrateOf(const ControllerImage& image)
 {
     const NetworkConfiguration& network = image.configuration.network;
@@ -85,6 +89,7 @@ void KincoMotion::start(Time now)
         if (m_calls[i])
             m_calls[i]->abandon(m_commands.calls[i].execution);
     }
+    m_now = m_startedAt = now;
     m_bus.powerOn(now);
     m_master->start(now);
 }
@@ -130,11 +135,16 @@ bool KincoMotion::isReleased() const
     return true;
 }
 
+bool KincoMotion::isStartingUp() const
+{
+    return m_now - m_startedAt < kStartUpTime;
+}
+
 bool KincoMotion::isReady() const
 {
     for (const Axis& axis : m_axes) {
         const NodeState state = m_master->nodeState(axis.node());
-        if (state == NodeState::Idle || state == NodeState::Booting)
+        if (state == NodeState::Idle || state == NodeState::Booting || (state == NodeState::BootFailed && isStartingUp()))
             return false;
     }
     return true;
@@ -142,9 +152,10 @@ bool KincoMotion::isReady() const
 
 void KincoMotion::cycle(std::uint64_t cycle, Time now)
 {
+    m_now = now;
     m_bus.advance(now, *m_master);
     for (std::size_t i = 0; i < m_axes.size(); ++i) {
-        m_axes[i].observe(now);
+        m_axes[i].observe(now, isStartingUp());
         logEvents(m_axes[i]);
         m_panels[i].cycle(cycle, now);
     }
@@ -297,6 +308,8 @@ void KincoMotion::save(ByteWriter& writer) const
     saveCommands(writer, m_commands);
     saveReports(writer, m_reports);
     writer.put(m_programRuns);
+    writer.put(m_now.count());
+    writer.put(m_startedAt.count());
 }
 
 void KincoMotion::restore(ByteReader& reader)
@@ -315,6 +328,8 @@ void KincoMotion::restore(ByteReader& reader)
     restoreCommands(reader, m_commands);
     restoreReports(reader, m_reports);
     m_programRuns = reader.getBool();
+    m_now = Time(reader.get<std::int64_t>());
+    m_startedAt = Time(reader.get<std::int64_t>());
 }
 
 } // namespace camwright::kinco

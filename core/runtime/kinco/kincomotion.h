@@ -51,6 +51,7 @@ public:
 private:
     MasterConfig masterConfig() const;
     void start(Time now);
+    bool isStartingUp() const;
     void logEvents(const Axis& axis);
     void report();
     Result<void> checkAxis(std::size_t axis) const;
@@ -67,6 +68,7 @@ private:
     ScanCommands m_commands;                    ///< the two exchange buffers
     MotionReports m_reports;
     bool m_programRuns = false;
+    Time m_now{}, m_startedAt{};
 };
 
 } // namespace camwright::kinco

@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <stdexcept>
+
 namespace camwright {
 
 namespace {
@@ -101,7 +103,9 @@ void KincoBench::call(std::string_view mnemonic, const std::vector<std::string>&
 Bytes KincoBench::imageBytes() const
 {
     ControllerImage image = m_image;
-    image.program.routines.front().code.push_back({.op = IrOp::Return});
+    IrInstruction end;
+    end.op = IrOp::Return;
+    image.program.routines.front().code.push_back(end);
     return write(image);
 }
 
@@ -140,6 +144,20 @@ double KincoBench::number(std::string_view name) const
         return 0;
     }
     return m_engine.read(*ref)->asDouble();
+}
+
+void KincoBench::addHomingMethod()
+{
+    call("MC_WPARAS", {"%M500.0", "1", "%VB3000", "%VD3004", "1", "%M500.1", "%M500.2", "%MD504"});
+}
+
+void KincoBench::writeHomingMethod()
+{
+    set("%VB3000", 3);
+    set("%VD3004", 19);
+    setBit("%M500.0");
+    ASSERT_TRUE(stepUntil([this] { return bit("%M500.1"); }, 1s));
+    EXPECT_FALSE(bit("%M500.2"));
 }
 
 Result<void> KincoBench::panel(AxisCommandKind kind, double position, double velocity, std::uint16_t axis)

@@ -37,6 +37,11 @@ public:
     bool bit(std::string_view name) const { return number(name) != 0; }
     int state(int axis = 1) const { return static_cast<int>(number("axis." + std::to_string(axis) + ".state")); }
 
+    /// The drive of axis 1 homes by method 19: forwards to the edge of the home switch (0x6098, by MC_WPARAS). The bench
+    /// uses %M500 to %M511 and %VB3000 to %VB3011 for it; call before start().
+    void addHomingMethod();
+    void writeHomingMethod();
+
     Result<void> panel(AxisCommandKind kind, double position = 0, double velocity = 0, std::uint16_t axis = 0);
     void beat();
     /// Steps with a heartbeat every 20 ms.

@@ -20,6 +20,7 @@ protected:
         bench.call("MC_MREL", {"%M4.0", "1", "%VR10", "%VR14", "%M4.1", "%M4.2", "%MB5", "%M4.3"}, "%M4.7");
         bench.call("MC_JOG", {"%M6.0", "1", "%VR20", "0", "%M6.1", "%M6.2", "%MB7", "%M6.3"}, "%M6.7");
         bench.call("MC_HOME", {"%M8.0", "1", "%VR30", "%VD34", "%M8.1", "%M8.2", "%MB9"}, "%M8.7");
+        bench.addHomingMethod();
         bench.call("MC_STATE", {"1", "%M20.0", "%M20.1", "%M20.2", "%M20.3", "%M20.4", "%M20.5", "%MW22", "%M20.6", "%MW24", "%VR40",
                                    "%VR44", "%MB26"});
     }
@@ -27,6 +28,7 @@ protected:
     void powered()
     {
         bench.start();
+        bench.writeHomingMethod();
         for (const char* enable : {"%M2.7", "%M4.7", "%M6.7", "%M8.7"})
             bench.setBit(enable);
         bench.setBit("%M0.0");

@@ -12,6 +12,7 @@ protected:
     KincoPanelTest()
     {
         bench.call("MC_POWER", {"%M0.0", "1", "%M0.1", "%M0.2", "%MB1"});
+        bench.addHomingMethod();
         bench.call("MC_MABS", {"%M2.0", "1", "%VR0", "%VR4", "0", "%VW8", "%M2.1", "%M2.2", "%MB3", "%M2.3"});
     }
 
@@ -29,7 +30,7 @@ protected:
     {
         bench.start();
         bench.setBit("%M0.0");
-        ASSERT_TRUE(bench.stepUntil([&] { return bench.state() == 2; }, 1s));
+        ASSERT_TRUE(bench.stepUntil([&] { return bench.bit("%M0.1"); }, 1s));
         bench.set("%VR4", 6000);
     }
     AxisStatus status() const { return const_cast<KincoBench&>(bench).engine().status().axes[0]; }
@@ -150,7 +151,10 @@ TEST_F(KincoPanelTest, MovesAbsoluteAndRelative)
 
 TEST_F(KincoPanelTest, Homes)
 {
-    enabled();
+    running();
+    bench.writeHomingMethod();
+    ASSERT_TRUE(bench.panel(AxisCommandKind::Arm));
+    bench.beat();
     EXPECT_FALSE(status().homed);
     ASSERT_TRUE(bench.panel(AxisCommandKind::Home));
     bench.stepBeating(200ms);
@@ -216,7 +220,7 @@ TEST_F(KincoPanelTest, ARunningCallRefusesThePanelButNotItsStop)
     bench.step(1s);
     EXPECT_NEAR(velocity(), 0, 0.5);
     EXPECT_EQ(bench.state(), 2);
-    EXPECT_EQ(status().lastCause, "motion of the program");
+    EXPECT_EQ(status().lastCause, "stopped by command");
 }
 
 TEST_F(KincoPanelTest, StopAllAxesNeedsNothing)

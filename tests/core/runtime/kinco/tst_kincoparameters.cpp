@@ -5,6 +5,9 @@
 namespace camwright {
 namespace {
 
+/// 16#FFFFFFFF in a cell that reads as DINT.
+constexpr double kNothing = -1;
+
 class KincoParametersTest : public testing::Test {
 protected:
     KincoParametersTest()
@@ -101,13 +104,13 @@ TEST_F(KincoParametersTest, AWrongAxisOrCountExecutesNothing)
     bench.set("%MW12", 5);
     write({8});
     EXPECT_TRUE(bench.bit("%M1.2"));
-    EXPECT_EQ(bench.number("%MD18"), 4294967295.0);
+    EXPECT_EQ(bench.number("%MD18"), kNothing);
     bench.set("%MW12", 1);
     for (const int count : {0, 33, -1}) {
         bench.set("%MW14", count);
         bench.setBit("%M1.0");
         bench.step(5ms);
-        EXPECT_EQ(bench.number("%MD18"), 4294967295.0) << count;
+        EXPECT_EQ(bench.number("%MD18"), kNothing) << count;
         bench.setBit("%M1.0", false);
         bench.step(5ms);
     }
@@ -125,7 +128,7 @@ TEST_F(KincoParametersTest, ASecondCallOnTheAxisExecutesNothing)
     bench.step(2ms);
     bench.setBit("%M0.0");
     bench.step(4ms);
-    EXPECT_EQ(bench.number("%MD8"), 4294967295.0);
+    EXPECT_EQ(bench.number("%MD8"), kNothing);
 }
 
 // KS-MC-11: EXEC to 0 aborts a read, DONE = 1 and what was read stays
