@@ -291,6 +291,8 @@ TEST(CheckProjectTest, everyProblemIsNamedSortedByPlace)
     ASSERT_GE(out.size(), 4u);
     EXPECT_TRUE(std::is_sorted(out.begin(), out.end(), [](const Diagnostic& a, const Diagnostic& b) { return a.place < b.place; }));
     EXPECT_FALSE(validate(project).project.has_value());
+    const Diagnostics rows = checkProject(withVariables(kinco(), std::vector<Variable>(12, variable("", DataType::Bool, "%M0.0"))));
+    EXPECT_EQ(rows.back().place.field, "rows[11].name");
 }
 
 } // namespace
