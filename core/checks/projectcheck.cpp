@@ -60,6 +60,7 @@ Validation ProjectCheck::run()
     checkController();
     checkAxes();
     checkNetworks();
+    checkBusLoad();
     checkPrograms();
     checkVariables();
     std::sort(m_out.begin(), m_out.end(), [](const Diagnostic& a, const Diagnostic& b) {
