@@ -2,9 +2,6 @@
 
 #include "core/fieldbus/drivepdos.h"
 
-#include <algorithm>
-#include <vector>
-
 namespace camwright {
 
 double busLoad(std::span<const Time> intervals, std::uint32_t baudrate)
@@ -19,10 +16,7 @@ double busLoad(std::span<const Time> intervals, std::uint32_t baudrate)
 
 double axisBusLoad(std::span<const Time> inhibitTimes, std::uint32_t baudrate)
 {
-    std::vector<Time> intervals(inhibitTimes.begin(), inhibitTimes.end());
-    for (Time& interval : intervals)
-        interval = std::max<Time>(interval, 1ms);
-    return kDriveTransmitPdos * busLoad(intervals, baudrate);
+    return kDriveTransmitPdos * busLoad(inhibitTimes, baudrate);
 }
 
 } // namespace camwright

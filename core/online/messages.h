@@ -25,6 +25,9 @@ inline constexpr std::size_t MaximumHandshakeFrame = 1024;  ///< the same until 
 inline constexpr std::size_t MaximumNames = 256;            ///< of one read, description or subscription
 inline constexpr std::size_t MaximumImage = 32 * 1024 * 1024;
 inline constexpr std::size_t MinimumPiece = 64, MaximumPiece = 16 * 1024, PiecesInFlight = 2;
+inline constexpr std::size_t PartsAtOnce = 400;             ///< of a manifest in one message
+inline constexpr std::size_t MaximumParts = 65'536;         ///< of a manifest in all
+inline constexpr std::size_t PlanLines = 200;               ///< of a plan; more are cut
 inline constexpr std::size_t LogPage = 64;                  ///< entries of one log reply
 
 enum class Type : std::uint16_t {
@@ -104,9 +107,11 @@ struct ReleaseControl { static constexpr Type type = Type::ReleaseControl; bool 
 
 // --- download ---
 
+/// A long manifest comes in several; the parts of all count together, and the last is answered.
 struct PlanDownload {
     static constexpr Type type = Type::PlanDownload;
     Manifest manifest;
+    bool more = false;
     bool operator==(const PlanDownload&) const = default;
 };
 
