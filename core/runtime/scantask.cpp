@@ -92,7 +92,7 @@ ScanReport ScanTask::run(Time now, BlockHost& host)
     const ScanReport report = m_executor.scan(input);
     m_inScan = true;
     m_end = now + m_scanTime;
-    m_nextStart = std::max(m_end, m_nextStart + m_period);
+    m_nextStart = std::max(m_end, (m_firstScan ? now : m_nextStart) + m_period);
     m_firstScan = m_firstAfterPowerOn = false;
     m_toggle = !m_toggle;
     m_error = m_error || report.faults > 0;
