@@ -1,6 +1,9 @@
 #include "core/checks/fieldcheck.h"
 #include "core/checks/projectcheck.h"
+#include "core/fieldbus/busload.h"
 #include "core/model/fieldlist.h"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 
@@ -113,6 +116,21 @@ void ProjectCheck::checkNetworks()
     if (first.baudrate.isValid() && first.sdoTimeoutMs.isValid())
         m_valid.m_network = ValidNetwork{networks.front()->key.name, static_cast<std::uint32_t>(first.baudrate.value()),
                                          std::chrono::milliseconds(std::clamp<std::int64_t>(first.sdoTimeoutMs.value(), 1, 60'000))};
+}
+
+/// KS-CAN-04: more than the wire can carry is allowed, and never works as it should.
+void ProjectCheck::checkBusLoad()
+{
+    if (!m_valid.m_network || m_valid.m_network->baudrate == 0)
+        return;
+    std::vector<Time> inhibitTimes;
+    for (const ValidAxis& axis : m_valid.m_axes)
+        inhibitTimes.push_back(std::chrono::milliseconds(axis.inhibitTimeMs));
+    const double load = axisBusLoad(inhibitTimes, m_valid.m_network->baudrate);
+    if (load > 1)
+        report(Code::BusOverloaded,
+               {std::to_string(inhibitTimes.size()), fmt::format("{:.2f}", load * 100), std::to_string(m_valid.m_network->baudrate)},
+               Place{{ObjectKind::Network, m_valid.m_network->name}, "baudrate", {}, {}});
 }
 
 } // namespace camwright

@@ -5,6 +5,7 @@
 #include "core/model/fieldlist.h"
 
 #include <algorithm>
+#include <charconv>
 #include <tuple>
 
 namespace camwright {
@@ -19,6 +20,15 @@ std::string folded(std::string_view name)
             c = static_cast<char>(c - 'A' + 'a');
     }
     return out;
+}
+
+/// The n of "rows[n].name", so that row 2 comes before row 10; 0 for other fields.
+std::size_t rowOf(std::string_view field)
+{
+    std::size_t row = 0;
+    if (field.starts_with("rows["))
+        std::from_chars(field.data() + 5, field.data() + field.size(), row);
+    return row;
 }
 
 template <class Range, class Name>
@@ -50,10 +60,12 @@ Validation ProjectCheck::run()
     checkController();
     checkAxes();
     checkNetworks();
+    checkBusLoad();
     checkPrograms();
     checkVariables();
     std::sort(m_out.begin(), m_out.end(), [](const Diagnostic& a, const Diagnostic& b) {
-        return std::tie(a.place, a.code, a.arguments) < std::tie(b.place, b.code, b.arguments);
+        const std::size_t rowA = rowOf(a.place.field), rowB = rowOf(b.place.field);
+        return std::tie(a.place.object, rowA, a.place, a.code, a.arguments) < std::tie(b.place.object, rowB, b.place, b.code, b.arguments);
     });
     Validation out{std::nullopt, std::move(m_out)};
     if (!hasErrors(out.diagnostics))

@@ -22,6 +22,7 @@ private:
     void checkAxisNumbers();
     void checkAxisLimit(std::size_t count);
     void checkNetworks();
+    void checkBusLoad();
     void checkPrograms();
     void checkVariables();
     void checkVariable(const Place& row, const Variable& variable);

@@ -2,6 +2,9 @@
 
 #include "core/fieldbus/drivepdos.h"
 
+#include <algorithm>
+#include <vector>
+
 namespace camwright {
 
 double busLoad(std::span<const Time> intervals, std::uint32_t baudrate)
@@ -16,7 +19,10 @@ double busLoad(std::span<const Time> intervals, std::uint32_t baudrate)
 
 double axisBusLoad(std::span<const Time> inhibitTimes, std::uint32_t baudrate)
 {
-    return kDriveTransmitPdos * busLoad(inhibitTimes, baudrate);
+    std::vector<Time> intervals(inhibitTimes.begin(), inhibitTimes.end());
+    for (Time& interval : intervals)
+        interval = std::max<Time>(interval, 1ms);
+    return kDriveTransmitPdos * busLoad(intervals, baudrate);
 }
 
 } // namespace camwright

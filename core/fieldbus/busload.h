@@ -13,7 +13,8 @@ inline constexpr unsigned kPdoBits = 111;
 /// Share of the wire taken by PDOs sent at these intervals, 1 is full (KS-CAN-04). Intervals of 0 count nothing.
 double busLoad(std::span<const Time> intervals, std::uint32_t baudrate);
 
-/// The same for our mapping: every axis sends its three PDOs once in each inhibit time. One entry an axis.
+/// The same for our mapping at its fullest: every axis sends its three PDOs once in each inhibit time, without one once in
+/// each motion cycle of a millisecond. One entry an axis.
 double axisBusLoad(std::span<const Time> inhibitTimes, std::uint32_t baudrate);
 
 } // namespace camwright

@@ -14,8 +14,8 @@ namespace camwright {
 class ValidProject;
 
 struct BuildOptions {
-    bool forVirtualController = true;     ///< say what is not simulated (CW4040)
-    std::vector<ArchivedFile> archive;    ///< the project's files, to travel with the image; may be empty
+    bool forVirtualController = true;     ///< say what is not simulated (CW4040, CW4042)
+    std::vector<ArchivedFile> archive;    ///< files to travel with the image; empty: every object of the project in its canonical text
 };
 
 /// The image, or nothing if a diagnostic is an error or the job was cancelled (CW0002).

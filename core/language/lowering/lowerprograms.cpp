@@ -24,8 +24,8 @@ public:
         : m_family(family), m_model(model), m_programs(programs), m_elements(family, m_out.program)
     {
         for (const CheckedProgram& program : programs) {
-            m_out.program.routines.push_back({program.name, kindOf(program.role), 0, {}});
-            m_out.debug.objects.push_back({ObjectKind::Program, program.name});
+            m_out.program.routines.push_back({program.key.name, kindOf(program.role), 0, {}});
+            m_out.debug.objects.push_back(program.key);
         }
     }
 
@@ -42,7 +42,7 @@ public:
 private:
     std::uint32_t routineByName(std::string_view name) const
     {
-        const auto found = std::ranges::find(m_programs, name, &CheckedProgram::name);
+        const auto found = std::ranges::find(m_programs, name, [](const CheckedProgram& program) { return std::string_view(program.key.name); });
         return static_cast<std::uint32_t>(found - m_programs.begin());
     }
 

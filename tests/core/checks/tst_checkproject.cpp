@@ -122,10 +122,24 @@ TEST(CheckProjectTest, modelsLimitTheNumberOfAxes) // KS-MCN-10, KS-CPU-01
 {
     EXPECT_EQ(found(kinco("KS105C1-16DT", 16)), List{});
     EXPECT_EQ(found(kinco("KS105C1-16DT", 17)), (List{"CW1106 model"}));
-    EXPECT_EQ(found(kinco("KS101M-04DX", 32)), List{});
-    EXPECT_EQ(found(kinco("KS101M-04DX", 33)), (List{"CW1106 model"}));
+    EXPECT_EQ(found(kinco("KS101M-04DX", 32)), List{"CW6008 baudrate"}); // taken, but see the load of the bus
+    EXPECT_EQ(found(kinco("KS101M-04DX", 33)), (List{"CW1106 model", "CW6008 baudrate"}));
     EXPECT_EQ(found(kinco("KS105-16DT", 1)), (List{"CW1105 model"}));
     EXPECT_EQ(found(kinco("KS105-16DT", 0).withContent(NetworkKey, Network{})), (List{"CW1105 model"}));
+}
+
+TEST(CheckProjectTest, moreProcessDataThanTheWireCarriesIsAWarning) // KS-CAN-04
+{
+    const Project full = kinco("KS101M-04DX", 32);
+    ASSERT_EQ(checkProject(full).size(), 1u);
+    EXPECT_EQ(englishText(checkProject(full).front()),
+              "The process data of 32 axes would load the bus with 106.56 % at 1000000 bit/s. Raise the PDO inhibit times or the baud rate.");
+    EXPECT_TRUE(validate(full).project.has_value());
+    Axis slower = axisNumber(32);
+    slower.inhibitTimeMs = 1000;
+    Axis second = axisNumber(31);
+    second.inhibitTimeMs = 1000;
+    EXPECT_EQ(found(full.withContent(axisKey(32), slower).withContent(axisKey(31), second)), List{});
 }
 
 TEST(CheckProjectTest, familyAndModelMustBeKnown)
@@ -142,7 +156,7 @@ TEST(CheckProjectTest, oneNetworkForAxes)
     EXPECT_EQ(found(kinco().withContent({ObjectKind::Network, "Other"}, Network{})), (List{"CW1119 "}));
     EXPECT_EQ(found(kinco().withContent(NetworkKey, Network{123456, 100})), (List{"CW1109 baudrate"}));
     for (const std::int64_t rate : offeredBaudrates())
-        EXPECT_EQ(found(kinco().withContent(NetworkKey, Network{rate, proposedSdoTimeoutMs(rate)})), List{}) << rate;
+        EXPECT_TRUE(validate(kinco().withContent(NetworkKey, Network{rate, proposedSdoTimeoutMs(rate)})).project.has_value()) << rate;
 }
 
 TEST(CheckProjectTest, textsThatAreNoValuesAreNamedWithTheirField)
@@ -291,6 +305,8 @@ TEST(CheckProjectTest, everyProblemIsNamedSortedByPlace)
     ASSERT_GE(out.size(), 4u);
     EXPECT_TRUE(std::is_sorted(out.begin(), out.end(), [](const Diagnostic& a, const Diagnostic& b) { return a.place < b.place; }));
     EXPECT_FALSE(validate(project).project.has_value());
+    const Diagnostics rows = checkProject(withVariables(kinco(), std::vector<Variable>(12, variable("", DataType::Bool, "%M0.0"))));
+    EXPECT_EQ(rows.back().place.field, "rows[11].name");
 }
 
 } // namespace

@@ -32,3 +32,8 @@ TEST(BusLoadTest, anIntervalOfZeroCountsNothing)
     const std::vector<Time> intervals{0ms, 10ms};
     EXPECT_DOUBLE_EQ(busLoad(intervals, 1'000'000), 0.0111);
 }
+TEST(BusLoadTest, anAxisWithoutInhibitTimeSendsEveryMillisecond)
+{
+    const std::vector<Time> inhibitTimes{0ms};
+    EXPECT_NEAR(axisBusLoad(inhibitTimes, 1'000'000), 0.333, 1e-12);
+}

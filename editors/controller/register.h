@@ -1,0 +1,11 @@
+#pragma once
+
+namespace camwright {
+
+class ActionCatalogue;
+class Registry;
+
+/// The controller's page.
+void registerControllerEditor(Registry& registry, ActionCatalogue& actions);
+
+} // namespace camwright

@@ -1,0 +1,220 @@
+#include "editors/network/axislistmodel.h"
+#include "editors/network/motionnetworkdraft.h"
+#include "editors/network/networkeditor.h"
+#include "editors/shell/actions.h"
+#include "editors/shell/context.h"
+#include "editors/shell/registry.h"
+
+#include <QAbstractItemModelTester>
+#include <QComboBox>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QTest>
+#include <QThreadPool>
+#include <QTreeWidget>
+#include <QUndoStack>
+
+using namespace camwright;
+
+namespace {
+
+const ObjectKey NetworkKey{ObjectKind::Network, "CANopen"};
+
+Project feederProject()
+{
+    const auto add = [](Project project, ObjectKey key, ObjectContent content) {
+        return project.with(key, std::make_shared<const Object>(Object{key, 0, std::move(content), {}}));
+    };
+    ControllerSettings controller;
+    controller.family = "kinco";
+    controller.model = "KS101M-04DX";
+    Axis turn;
+    turn.number = 2;
+    turn.type = AxisType::Rotary;
+    turn.mechanicalEquivalent = 45.0;
+    Project project = add(Project(), {ObjectKind::Controller, "controller"}, controller);
+    project = add(project, NetworkKey, Network{});
+    project = add(project, {ObjectKind::Axis, "Feed"}, Axis{});
+    project = add(project, {ObjectKind::Axis, "Turn"}, turn);
+    return add(project, {ObjectKind::Program, "Main"}, Program{});
+}
+
+/// A window's worth of surroundings for one editor.
+struct Bench {
+    ProjectDocument document;
+    ActionCatalogue actions;
+    Registry registry;
+    QThreadPool pool;
+    Context context{document, actions, registry, pool};
+    Bench() { document.adopt(feederProject()); }
+};
+
+template <class W>
+W* child(QWidget& parent, const char* name)
+{
+    W* found = parent.findChild<W*>(QString::fromLatin1(name));
+    if (!found)
+        qFatal("no widget %s", name);
+    return found;
+}
+
+void click(NetworkEditor& editor, const char* button)
+{
+    QTest::mouseClick(child<QPushButton>(editor, button), Qt::LeftButton);
+}
+
+QTreeWidgetItem* root(NetworkEditor& editor)
+{
+    return child<QTreeWidget>(editor, "networkTree")->topLevelItem(0);
+}
+
+} // namespace
+
+class NetworkEditorTest : public QObject {
+    Q_OBJECT
+private slots:
+    void addGivesTheDefaultsOfTheManualAndTheNextNumber()
+    {
+        MotionNetworkDraft draft = MotionNetworkDraft::of(feederProject(), NetworkKey);
+        const auto index = draft.addAxis();
+        const Axis& axis = draft.axes()[index].axis();
+        QCOMPARE(axis.number.value(), 3);
+        QCOMPARE(draft.axes()[index].object.key.name, std::string("Axis 3 name")); // KS-MCN-03, -08
+        QCOMPARE(axis.encoderResolution.value(), 10000);
+        QCOMPARE(axis.guardTimeMs.value(), 1000);
+        QCOMPARE(axis.lifeFactor.value(), 3);
+        QCOMPARE(axis.inhibitTimeMs.value(), 10);
+        QCOMPARE(axis.eventTimerMs.value(), 0);
+    }
+
+    void pasteIsEqualButForNumberAndName() // KS-MCN-04
+    {
+        MotionNetworkDraft draft = MotionNetworkDraft::of(feederProject(), NetworkKey);
+        const auto index = draft.pasteAxis(draft.axes()[1].object);
+        Axis copy = draft.axes()[index].axis();
+        QCOMPARE(copy.number.value(), 3);
+        copy.number = 2;
+        QVERIFY(copy == draft.axes()[1].axis());
+        QCOMPARE(draft.axes()[index].object.key.name, std::string("Turn 2"));
+    }
+
+    void aGapIsRefusedAndRenumberingMendsIt() // KS-MCN-06
+    {
+        MotionNetworkDraft draft = MotionNetworkDraft::of(feederProject(), NetworkKey);
+        draft.removeAxis(0);
+        QVERIFY(hasErrors(draft.problems(feederProject())));
+        draft.renumber();
+        QVERIFY(!hasErrors(draft.problems(feederProject())));
+    }
+
+    void applyIsOneStepAndUndoRestoresTheBytes() // KS-MCN-07
+    {
+        Bench bench;
+        const Project before = bench.document.project();
+        MotionNetworkDraft draft = MotionNetworkDraft::of(before, NetworkKey);
+        draft.addAxis();
+        draft.setName(0, "Strip");
+        QVERIFY(draft.apply(bench.document, QStringLiteral("change")));
+        const Project after = bench.document.project();
+        QCOMPARE(after.objects(ObjectKind::Axis).size(), std::size_t(3));
+        QVERIFY(!after.find({ObjectKind::Axis, "Feed"}));
+        bench.document.undo();
+        QVERIFY(bench.document.project() == before);
+        bench.document.redo();
+        QVERIFY(bench.document.project() == after);
+    }
+
+    void applyingNothingLeavesNoStep()
+    {
+        Bench bench;
+        QVERIFY(!MotionNetworkDraft::of(bench.document.project(), NetworkKey).apply(bench.document, QStringLiteral("change")));
+        QCOMPARE(bench.document.undoStack().count(), 0);
+    }
+
+    void theListModelIsAProperModel()
+    {
+        AxisListModel model;
+        QAbstractItemModelTester tester(&model, QAbstractItemModelTester::FailureReportingMode::QtTest);
+        MotionNetworkDraft draft = MotionNetworkDraft::of(feederProject(), NetworkKey);
+        model.setDraft(draft);
+        QCOMPARE(model.rowCount(), 2);
+        QCOMPARE(model.data(model.index(1, AxisListModel::Travel), Qt::DisplayRole).toString(), QStringLiteral("45°"));
+        draft.addAxis();
+        model.setDraft(draft);
+        QCOMPARE(model.rowCount(), 3);
+    }
+
+    void keysAddCopyPasteAndDelete() // KS-MCN-03 to -05
+    {
+        Bench bench;
+        NetworkEditor editor(bench.context, NetworkKey);
+        editor.show();
+        QVERIFY(QTest::qWaitForWindowActive(&editor));
+        child<QTreeWidget>(editor, "networkTree")->setFocus();
+        QTest::keyClick(child<QTreeWidget>(editor, "networkTree"), Qt::Key_N, Qt::AltModifier);
+        QCOMPARE(root(editor)->childCount(), 3);
+        QTest::keyClick(child<QTreeWidget>(editor, "networkTree"), Qt::Key_A, Qt::AltModifier);
+        QCOMPARE(root(editor)->childCount(), 4);
+        editor.perform(QStringLiteral("edit.copy"));
+        editor.perform(QStringLiteral("edit.paste"));
+        QCOMPARE(root(editor)->childCount(), 5);
+        editor.perform(QStringLiteral("edit.delete"));
+        QCOMPARE(root(editor)->childCount(), 4);
+        QCOMPARE(bench.document.project().objects(ObjectKind::Axis).size(), std::size_t(2)); // nothing applied yet
+    }
+
+    void masterFieldsAreGoneWhileAnAxisIsSelected() // KS-MCN-01
+    {
+        Bench bench;
+        NetworkEditor editor(bench.context, NetworkKey);
+        editor.show();
+        QVERIFY(child<QComboBox>(editor, "baudrate")->isVisibleTo(&editor));
+        child<QTreeWidget>(editor, "networkTree")->setCurrentItem(root(editor)->child(0));
+        QVERIFY(!child<QComboBox>(editor, "baudrate")->isVisibleTo(&editor));
+        QVERIFY(child<QLineEdit>(editor, "axisName")->isVisibleTo(&editor));
+    }
+
+    void cancelDropsWhatCameSinceTheLastApply() // KS-MCN-07
+    {
+        Bench bench;
+        NetworkEditor editor(bench.context, NetworkKey);
+        editor.show();
+        click(editor, "addAxis");
+        click(editor, "applyNetwork");
+        QCOMPARE(bench.document.project().objects(ObjectKind::Axis).size(), std::size_t(3));
+        click(editor, "addAxis");
+        QVERIFY(editor.hasUnapplied());
+        click(editor, "cancelNetwork");
+        QVERIFY(!editor.hasUnapplied());
+        QCOMPARE(bench.document.project().objects(ObjectKind::Axis).size(), std::size_t(3));
+    }
+
+    void applyRefusesAGapAndSaysWhy() // KS-MCN-06
+    {
+        Bench bench;
+        NetworkEditor editor(bench.context, NetworkKey);
+        editor.show();
+        child<QTreeWidget>(editor, "networkTree")->setCurrentItem(root(editor)->child(0));
+        click(editor, "deleteAxis");
+        click(editor, "applyNetwork");
+        QCOMPARE(bench.document.project().objects(ObjectKind::Axis).size(), std::size_t(2));
+        QVERIFY(!child<QLabel>(editor, "networkMessage")->text().isEmpty());
+        click(editor, "renumberAxes");
+        click(editor, "applyNetwork");
+        QCOMPARE(bench.document.project().objects(ObjectKind::Axis).size(), std::size_t(1));
+    }
+
+    void aNewBaudRateProposesASdoTimeout()
+    {
+        Bench bench;
+        NetworkEditor editor(bench.context, NetworkKey);
+        editor.show();
+        auto* rates = child<QComboBox>(editor, "baudrate");
+        QTest::keyClick(rates, Qt::Key_Home);
+        QVERIFY(editor.draft().network().baudrate.value() < 1000000);
+        QVERIFY(editor.draft().network().sdoTimeoutMs.value() >= Network{}.sdoTimeoutMs.value());
+    }
+};
+
+QTEST_MAIN(NetworkEditorTest)
+#include "tst_networkeditor.moc"
