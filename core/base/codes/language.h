@@ -1,5 +1,6 @@
 // CW3…: language. 30… what is wrong with the text, 31… with its flow, 32… with instructions and operands, 33… with names
-// and calls, 34… with what a model or a project allows, 35… advice.
+// and calls, 34… with what a model or a project allows, 35… advice, 36… files of
+// other tools.
 CAMWRIGHT_CODE(UnterminatedComment, "CW3001", Error, CW_TEXT("Diagnostics", "The comment that begins here is not closed before network %1. End it with *)."))
 CAMWRIGHT_CODE(CommentOpenAtEnd, "CW3019", Error, CW_TEXT("Diagnostics", "The comment that begins here is not closed before the end of the program. End it with *)."))
 CAMWRIGHT_CODE(StrayText, "CW3002", Error, CW_TEXT("Diagnostics", "\"%1\" is not an instruction and not a comment. Remove it, or write it as (* %1 *)."))
@@ -75,3 +76,7 @@ CAMWRIGHT_CODE(TimerUsedTwice, "CW3502", Warning, CW_TEXT("Diagnostics", "%1 is 
 CAMWRIGHT_CODE(AxisNotConfigured, "CW3503", Warning, CW_TEXT("Diagnostics", "There is no axis %1 in the motion network. The instruction will end with ERRID 1."))
 CAMWRIGHT_CODE(ListNotPrepared, "CW3504", Warning, CW_TEXT("Diagnostics", "%1 takes %2 parameter numbers from %3, and the programs write only the first %4. The others will be parameter 0."))
 CAMWRIGHT_CODE(OutputWrittenTwice, "CW3505", Warning, CW_TEXT("Diagnostics", "%1 is the coil of two rungs. Only the last one counts in each scan."))
+
+CAMWRIGHT_CODE(IlpWithoutCount, "CW3601", Warning, CW_TEXT("Diagnostics", "The first line of the file is not the number of networks, like (*5*). The whole text was taken."))
+CAMWRIGHT_CODE(IlpCountDiffers, "CW3602", Warning, CW_TEXT("Diagnostics", "The first line says %1 networks, and %2 are in the file. Check that the file is complete."))
+CAMWRIGHT_CODE(IlpWithoutEnd, "CW3603", Warning, CW_TEXT("Diagnostics", "The file has no END line. Check that it is complete."))
