@@ -2,6 +2,7 @@
 #include "core/language/compile.h"
 #include "core/language/image/container.h"
 #include "core/runtime/executor/executor.h"
+#include "core/storage/projectstore.h"
 
 #include <gtest/gtest.h>
 
@@ -160,6 +161,20 @@ TEST_F(CompileTest, callsThatNestTooDeepAreNamed)
     ASSERT_FALSE(result.diagnostics.empty());
     EXPECT_EQ(result.diagnostics.back().code, Code::CallsTooDeep) << text(result.diagnostics);
     EXPECT_EQ(result.diagnostics.back().arguments, (std::vector<std::string>{"16", "R17"}));
+}
+
+TEST_F(CompileTest, theExamplesBuildWithoutAWord)
+{
+    PosixFileSystem files;
+    for (const char* example : {"kinco-feeder", "ts600-marquee"}) {
+        const auto loaded = openProject(files, std::string(CAMWRIGHT_SOURCE_DIR "/examples/") + example);
+        ASSERT_TRUE(loaded.ok()) << example;
+        m_project = loaded->project;
+        const CompileResult result = compiled();
+        ASSERT_TRUE(result.image) << text(result.diagnostics);
+        EXPECT_EQ(text(result.diagnostics), "") << example;
+        EXPECT_TRUE(readImage(write(*result.image)).ok());
+    }
 }
 
 TEST_F(CompileTest, aCancelledJobGivesNoImage)
