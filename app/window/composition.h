@@ -1,7 +1,5 @@
 #pragma once
 
-#include "app/window/services.h"
-
 namespace camwright {
 
 class ActionCatalogue;
@@ -9,8 +7,5 @@ class Registry;
 
 /// Which editors and panels the window has: the only place that names them.
 void registerEverything(Registry& registry, ActionCatalogue& actions);
-
-/// The real checks, builds and links.
-Services realServices();
 
 } // namespace camwright

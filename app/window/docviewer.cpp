@@ -80,7 +80,7 @@ DocViewer::DocViewer(const QString& path, QWidget* parent) : QDialog(parent)
     }
     connect(m_list, &QListWidget::currentItemChanged, this, [this](QListWidgetItem* item) {
         if (item)
-            show(item->data(Qt::UserRole).toString());
+            showPage(item->data(Qt::UserRole).toString());
     });
     connect(m_text, &QTextBrowser::anchorClicked, this, [this](const QUrl& url) {
         if (!url.isRelative()) {
@@ -90,15 +90,15 @@ DocViewer::DocViewer(const QString& path, QWidget* parent) : QDialog(parent)
         const QListWidgetItem* item = m_list->currentItem();
         const QString target = item ? QFileInfo(item->data(Qt::UserRole).toString()).dir().filePath(url.path()) : QString();
         if (QFileInfo::exists(target))
-            show(target);
+            showPage(target);
     });
     if (m_list->currentItem())
-        show(m_list->currentItem()->data(Qt::UserRole).toString());
+        showPage(m_list->currentItem()->data(Qt::UserRole).toString());
     else if (m_list->count() > 0)
         m_list->setCurrentRow(0);
 }
 
-void DocViewer::show(const QString& path)
+void DocViewer::showPage(const QString& path)
 {
     QFile file(path);
     if (!file.open(QIODevice::ReadOnly))

@@ -23,7 +23,7 @@ public:
     explicit DocViewer(const QString& path, QWidget* parent);
 
 private:
-    void show(const QString& path);
+    void showPage(const QString& path);
 
     QListWidget* m_list;
     QTextBrowser* m_text;

@@ -176,10 +176,10 @@ void MainWindow::showPanel(const QString& id)
 {
     if (m_bottom->has(id)) {
         m_bottom->setVisible(true);
-        m_bottom->show(id);
+        m_bottom->showPanel(id);
     } else if (m_right->has(id)) {
         m_right->setVisible(true);
-        m_right->show(id);
+        m_right->showPanel(id);
     } else if (const PanelFactory* factory = m_workspace.registry.panel(id); factory && factory->area == PanelArea::Center) {
         m_editors->openPanel(*factory);
     } else if (factory) {
@@ -320,7 +320,7 @@ void MainWindow::restoreLayout(Layout layout)
     m_across->restoreState(across);
     m_down->restoreState(down);
     m_left->restoreState(inLeft);
-    m_bottom->show(panel);
+    m_bottom->showPanel(panel);
 }
 
 void MainWindow::setDefaultLayout(Layout layout)
@@ -332,7 +332,7 @@ void MainWindow::setDefaultLayout(Layout layout)
     m_across->setSizes({236, 936, 268});
     m_down->setSizes({layout == Layout::Configure ? 720 : 600, layout == Layout::Configure ? 100 : 190});
     m_left->setSizes({600, 180});
-    m_bottom->show(layout == Layout::Program ? QStringLiteral("watch") : layout == Layout::Commission ? QStringLiteral("log") : QStringLiteral("problems"));
+    m_bottom->showPanel(layout == Layout::Program ? QStringLiteral("watch") : layout == Layout::Commission ? QStringLiteral("log") : QStringLiteral("problems"));
     if (!m_workspace.document.isOpen())
         return;
     if (layout == Layout::Analyse)

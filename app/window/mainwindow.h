@@ -36,6 +36,8 @@ public:
     bool openProject(const QString& path);
     /// Copies the demo machine into the user's folder once, opens it, and goes online with its virtual controller.
     void openDemo();
+    /// Opens a project, goes online with its virtual controller, downloads and runs: what `--demo` asks for.
+    void runDemo(const QString& path);
     void download(bool thenRun = false, bool askFirst = true);
     std::vector<EditorArea::Open> opened() const { return m_editors->opened(); }
 

@@ -50,7 +50,7 @@ bool PanelStack::has(const QString& id) const
     return std::any_of(m_entries.begin(), m_entries.end(), [&](const Entry& entry) { return entry.factory.id == id; });
 }
 
-void PanelStack::show(const QString& id)
+void PanelStack::showPanel(const QString& id)
 {
     for (std::size_t i = 0; i < m_entries.size(); ++i) {
         if (m_entries[i].factory.id == id)
@@ -118,7 +118,7 @@ void PanelStack::setExtraPage(QWidget* page, const QString& name)
         });
     }
     if (!current.isEmpty())
-        show(current);
+        showPanel(current);
     else
         m_bar->setCurrentIndex(0);
     becameCurrent();

@@ -19,7 +19,7 @@ public:
     PanelStack(Context& context, const std::vector<PanelFactory>& panels, const QString& accessibleName, QWidget* parent = nullptr);
 
     bool has(const QString& id) const;
-    void show(const QString& id);
+    void showPanel(const QString& id);
     QString currentId() const;
     Panel* current() const;
     Panel* panel(const QString& id);       ///< makes it if need be; null when not of this dock

@@ -44,6 +44,22 @@ void MainWindow::goOnline(const QString& address)
     }
 }
 
+void MainWindow::runDemo(const QString& path)
+{
+    if (!openProject(path))
+        return;
+    goOnline(QStringLiteral("local"));
+    // Once, when the controller answers. A controller that runs the program already is left alone.
+    auto connection = std::make_shared<QMetaObject::Connection>();
+    *connection = connect(&m_workspace.context, &Context::linkStateChanged, this, [this, connection](LinkState state) {
+        if (state != LinkState::Online)
+            return;
+        disconnect(*connection);
+        if (m_workspace.context.status().state != RunState::Run)
+            download(true, false);
+    });
+}
+
 void MainWindow::download(bool thenRun, bool askFirst)
 {
     m_workspace.workbench.build([this, thenRun, askFirst](const DownloadPackage& package) {

@@ -174,7 +174,7 @@ std::vector<ObjectKey> ProjectPanel::selectedObjects() const
     return out;
 }
 
-void ProjectPanel::show(const ObjectKey& key)
+void ProjectPanel::showObject(const ObjectKey& key)
 {
     const QModelIndex index = m_filter->mapFromSource(m_model.indexOf(key));
     if (index.isValid() && index != m_tree->currentIndex())
@@ -194,7 +194,7 @@ void ProjectPanel::open(const QModelIndex& index)
 void ProjectPanel::add(ObjectKind kind)
 {
     const ObjectKey key = addObject(context().document(), newObject(context().document().project(), kind));
-    show(key);
+    showObject(key);
     context().open(key);
 }
 
@@ -215,7 +215,7 @@ void ProjectPanel::duplicate()
 {
     for (const ObjectKey& key : selectedObjects()) {
         if (key.kind != ObjectKind::Network)
-            show(duplicateObject(context().document(), key));
+            showObject(duplicateObject(context().document(), key));
     }
 }
 

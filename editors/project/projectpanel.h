@@ -24,7 +24,7 @@ public:
     void perform(const QString& actionId) override;
     QTreeView* tree() const { return m_tree; }
     /// Marks the object without opening it.
-    void show(const ObjectKey& key);
+    void showObject(const ObjectKey& key);
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;

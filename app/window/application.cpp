@@ -1,0 +1,116 @@
+#include "app/window/application.h"
+
+#include "app/window/composition.h"
+#include "app/window/mainwindow.h"
+#include "app/window/realservices.h"
+#include "app/window/screenshots.h"
+#include "editors/words/words.h"
+
+#include <QApplication>
+#include <QCommandLineParser>
+#include <QTextStream>
+
+namespace camwright {
+
+namespace {
+
+QString translationsFolder()
+{
+    return sharedPath(QStringLiteral("translations"));
+}
+
+/// The window and its workspace; a change of language makes the window anew.
+class Program : public QObject {
+public:
+    explicit Program(Services services) : m_workspace(std::move(services), registerEverything) { makeWindow(); }
+
+    Workspace& workspace() { return m_workspace; }
+    MainWindow& window() { return *m_window; }
+
+private:
+    void makeWindow()
+    {
+        m_window = std::make_unique<MainWindow>(m_workspace);
+        connect(m_window.get(), &MainWindow::languageRequested, this, &Program::changeLanguage, Qt::QueuedConnection);
+        m_window->show();
+    }
+
+    void changeLanguage(const QString& language)
+    {
+        if (!words::setLanguage(*QCoreApplication::instance(), language, translationsFolder())) {
+            m_workspace.context.notify(Severity::Warning, QCoreApplication::translate("Program", "The texts of this language are not installed."));
+            return;
+        }
+        m_workspace.settings.setLanguage(language);
+        const auto opened = m_window->opened();
+        const QByteArray geometry = m_window->saveGeometry();
+        QApplication::setQuitOnLastWindowClosed(false);
+        m_window.reset();
+        m_workspace.retranslate();
+        makeWindow();
+        m_window->restoreGeometry(geometry);
+        for (const EditorArea::Open& tab : opened)
+            m_window->editors().open(tab.key, tab.viewId, false);
+        QApplication::setQuitOnLastWindowClosed(true);
+    }
+
+    Workspace m_workspace;
+    std::unique_ptr<MainWindow> m_window;
+};
+
+void readOptions(QCommandLineParser& parser, const QApplication& application)
+{
+    parser.setApplicationDescription(QStringLiteral("Camwright: engineering tool for small motion controllers."));
+    parser.addHelpOption();
+    parser.addVersionOption();
+    parser.addPositionalArgument(QStringLiteral("PROJECT"), QStringLiteral("Project folder to open."), QStringLiteral("[PROJECT]"));
+    parser.addOption({QStringLiteral("demo"), QStringLiteral("Opens the project, goes online with its virtual controller and runs it."), QStringLiteral("DIR")});
+    parser.addOption({QStringLiteral("screenshot"), QStringLiteral("Saves pictures of every view and ends."), QStringLiteral("DIR")});
+    parser.addOption({QStringLiteral("theme"), QStringLiteral("light or dark."), QStringLiteral("NAME")});
+    parser.addOption({QStringLiteral("lang"), QStringLiteral("en, zh or ru."), QStringLiteral("CODE")});
+    parser.process(application);
+}
+
+} // namespace
+
+int runWindow(int argc, char** argv)
+{
+    QApplication application(argc, argv);
+    QCoreApplication::setOrganizationName(QStringLiteral("camwright"));
+    QCoreApplication::setApplicationName(QStringLiteral("camwright"));
+    QCoreApplication::setApplicationVersion(QStringLiteral(CAMWRIGHT_VERSION));
+    QCommandLineParser parser;
+    readOptions(parser, application);
+
+    Settings settings;
+    const QString wantedTheme = parser.value(QStringLiteral("theme"));
+    if (!wantedTheme.isEmpty() && wantedTheme != QLatin1String("light") && wantedTheme != QLatin1String("dark")) {
+        QTextStream(stderr) << "--theme is light or dark\n";
+        return 2;
+    }
+    theme().setKind(wantedTheme.isEmpty() ? settings.themeKind() : wantedTheme == QLatin1String("dark") ? Theme::Kind::Dark : Theme::Kind::Light);
+    theme().applyToApplication();
+    const QString wantedLanguage = parser.isSet(QStringLiteral("lang")) ? parser.value(QStringLiteral("lang")) : settings.language();
+    if (!words::setLanguage(application, wantedLanguage, translationsFolder()) && parser.isSet(QStringLiteral("lang"))) {
+        QTextStream(stderr) << "--lang: no texts for \"" << wantedLanguage << "\"\n";
+        return 2;
+    }
+
+    RealServices real;
+    Program program(real.services());
+    MainWindow& window = program.window();
+    const bool demo = parser.isSet(QStringLiteral("demo"));
+    const QString project = demo ? parser.value(QStringLiteral("demo")) : parser.positionalArguments().value(0);
+    if (!project.isEmpty())
+        QTimer::singleShot(0, &window, [&window, project, demo] { demo ? window.runDemo(project) : void(window.openProject(project)); });
+
+    std::unique_ptr<Screenshots> screenshots;
+    if (parser.isSet(QStringLiteral("screenshot"))) {
+        screenshots = std::make_unique<Screenshots>(program.workspace(), window, parser.value(QStringLiteral("screenshot")));
+        QObject::connect(screenshots.get(), &Screenshots::done, &application, [](bool saved) { QCoreApplication::exit(saved ? 0 : 1); });
+        QTimer::singleShot(50, screenshots.get(), &Screenshots::start);
+    }
+    return QApplication::exec();
+}
+
+} // namespace camwright
