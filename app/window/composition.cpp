@@ -2,6 +2,7 @@
 
 #include "app/window/outputpanel.h"
 #include "editors/axis/register.h"
+#include "editors/controller/register.h"
 #include "editors/log/register.h"
 #include "editors/network/register.h"
 #include "editors/project/projectpanel.h"
@@ -21,6 +22,7 @@ void registerEverything(Registry& registry, ActionCatalogue& actions)
         [](Context& context) -> Panel* { return new ProblemsView(context); }});
     registry.add(PanelFactory{QStringLiteral("output"), OutputPanel::tr("Output"), QStringLiteral("output"), PanelArea::Bottom, 20,
         [](Context& context) -> Panel* { return new OutputPanel(context); }});
+    registerControllerEditor(registry, actions);
     registerAxisEditor(registry, actions);
     registerNetworkEditor(registry, actions);
     registerVariablesEditor(registry, actions);
