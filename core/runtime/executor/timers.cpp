@@ -75,7 +75,7 @@ public:
 private:
     bool reached() const { return m_value >= m_preset; }
 
-    /// Runs from the preset down no further than the preset: value stays there.
+    /// Counts up to the preset and ends there; true when it has.
     bool advanceToPreset()
     {
         advance();
