@@ -1,6 +1,10 @@
 #pragma once
 
+#include "core/language/assist/completion.h"
+#include "core/language/assist/hover.h"
 #include "core/language/check/checksources.h"
+#include "core/language/exchange/ilpfile.h"
+#include "core/language/exchange/pastedtext.h"
 #include "core/language/source/ilwriter.h"
 #include "core/language/source/token.h"
 
@@ -34,6 +38,10 @@ inline void holdLanguageToItsWord(const LanguageContext& context, std::string_vi
             if (!again || writeRung(dialect, *again) != writeRung(dialect, *lines))
                 std::abort();
         }
+    repairPastedText(dialect, text);
+    importIlp(exportIlp(text));
+    completeAt(context, text, text.size() / 2, TextLanguage::English);
+    hoverAt(context, text, text.size() / 2, TextLanguage::English);
     const ProgramSource source{{ObjectKind::Program, "Main"}, ProgramRole::Main, text};
     const CheckedSources checked = checkSources({&source, 1}, context);
     if (checked.programs.has_value() == hasErrors(checked.diagnostics))
