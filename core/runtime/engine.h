@@ -53,7 +53,7 @@ public:
     std::uint32_t imageNumber() const;
     /// True between an accepted load and its switch, while axes come to rest.
     bool switchPending() const;
-    /// The source archive of the running image; empty without one.
+    /// The running image as it was loaded; empty without one.
     ByteSpan imageBytes() const;
 
     /// Does an input now, before the next cycle, and says why it is refused. Recorded inputs replay by the same function.

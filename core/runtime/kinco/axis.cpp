@@ -98,13 +98,15 @@ void Axis::noteState(AxisCause cause)
 void Axis::setProgramPower(bool on)
 {
     m_programPower = on;
-    m_nextCause = on ? AxisCause::PoweredByProgram : AxisCause::ReleasedByProgram;
+    if (!m_panelPower)
+        m_nextCause = on ? AxisCause::PoweredByProgram : AxisCause::ReleasedByProgram;
 }
 
 void Axis::setPanelPower(bool on)
 {
     m_panelPower = on;
-    m_nextCause = on ? AxisCause::PoweredByPanel : AxisCause::ReleasedByPanel;
+    if (!m_programPower)
+        m_nextCause = on ? AxisCause::PoweredByPanel : AxisCause::ReleasedByPanel;
 }
 
 void Axis::stopAndRelease()

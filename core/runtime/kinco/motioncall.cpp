@@ -52,6 +52,8 @@ bool MotionCall::isLost()
         finish(ErrorId::Busy);
     else if (!axis().isLocked())
         finish(ErrorId::NotLocked);
+    if (!isRunning())
+        dropped();
     return !isRunning();
 }
 
@@ -59,6 +61,7 @@ void MotionCall::stopAndFinish(ErrorId error)
 {
     m_ending = true;
     m_ends = error;
+    dropped();
     axis().motion().stop();
 }
 

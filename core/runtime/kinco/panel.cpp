@@ -31,6 +31,8 @@ Result<void> Panel::command(const input::Panel& command)
     case AxisCommandKind::MoveAbsolute:
         return moveTo(command.position, command.velocity);
     case AxisCommandKind::MoveRelative:
+        if (m_axis.isLocked() && !m_axis.motion().isSettled())
+            return refused(Code::PanelStillMoving); // the demand position on the bus may be that of the last motion
         return moveTo(m_axis.scale().toUnits(m_axis.inputs().demandPosition) + command.position, command.velocity);
     case AxisCommandKind::Velocity: case AxisCommandKind::Jog:
         return run(command.velocity);
