@@ -166,7 +166,7 @@ void PanelControl::disarm()
     if (m_arming == Arming::Off)
         return;
     const bool told = m_arming != Arming::TakingControl;
-    const bool moving = isDriving();
+    const bool moving = m_wanted; // otherwise a stop has been sent already
     letGo();
     if (online() && told) {
         if (moving)
