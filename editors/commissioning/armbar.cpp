@@ -9,6 +9,12 @@
 
 namespace camwright {
 
+namespace {
+
+constexpr char ButtonRoom[] = "padding: 0 8px;"; // three of them stand beside a sentence
+
+} // namespace
+
 ArmBar::ArmBar(PanelControl& control, QWidget* parent)
     : QWidget(parent), m_control(control), m_switch(new Switch(tr("Panel control"), this)), m_title(new QLabel(this)), m_explanation(new QLabel(this)), m_enable(new QPushButton(this)), m_reset(new QPushButton(this)), m_home(new QPushButton(this))
 {
@@ -25,9 +31,9 @@ ArmBar::ArmBar(PanelControl& control, QWidget* parent)
     words->addWidget(m_explanation);
     auto* row = new QHBoxLayout(this);
     row->setContentsMargins(0, 0, 0, 0);
-    row->setSpacing(8);
+    row->setSpacing(6);
     row->addWidget(m_switch);
-    row->addSpacing(2);
+    row->addSpacing(4);
     row->addLayout(words, 1);
     const struct { QPushButton* button; const char* name; QString text; const char* icon; } Buttons[] = {
         {m_enable, "enable", tr("Enable"), "power"}, {m_reset, "reset", tr("Reset"), "reset"}, {m_home, "home", tr("Home"), "home"}};
@@ -35,6 +41,7 @@ ArmBar::ArmBar(PanelControl& control, QWidget* parent)
         describe(button, name, text);
         button->setText(text);
         button->setIcon(icon(QLatin1String(iconName)));
+        button->setStyleSheet(QLatin1String(ButtonRoom));
         row->addWidget(button);
     }
     connect(m_switch, &QAbstractButton::clicked, this, &ArmBar::toggled);
@@ -94,7 +101,8 @@ void ArmBar::refreshButtons()
     m_enable->setText(enabled ? tr("Enabled") : tr("Enable"));
     m_enable->setToolTip(!armed ? unarmed : enabled ? tr("The axis is enabled. Click to stop it and take the power off.") : tr("Puts the axis under power. It does not move."));
     m_enable->setIcon(icon(QStringLiteral("power"), enabled ? Role::Ok : Role::Text));
-    m_enable->setStyleSheet(enabled ? QStringLiteral("background: %1; border-color: %2; color: %2; font-weight: 600;").arg(theme().name(Role::OkSoft), theme().name(Role::Ok)) : QString());
+    const QString look = enabled ? QStringLiteral("background: %1; border-color: %2; color: %2;").arg(theme().name(Role::OkSoft), theme().name(Role::Ok)) : QString();
+    m_enable->setStyleSheet(QLatin1String(ButtonRoom) + look);
     m_reset->setEnabled(armed && error);
     m_reset->setToolTip(!armed ? unarmed : error ? tr("Clears the error once its cause is gone.") : tr("There is no error to reset."));
     m_home->setEnabled(m_control.mayMove() && !m_control.isDriving());

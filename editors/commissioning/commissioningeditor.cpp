@@ -21,14 +21,13 @@ namespace {
 
 // Shares of the width, after the drawing.
 constexpr int ReadingsShare = 300, StateShare = 396, MotionShare = 508;
-/// Narrower than this the state diagram gives its room to the controls; the state itself stays, as a pill.
-constexpr int RoomForDiagram = 1060;
+constexpr int LineWidth = 1;
 
 QFrame* verticalLine(QWidget* parent)
 {
     auto* line = new QFrame(parent);
     line->setProperty("surface", "fine");
-    line->setFixedWidth(1);
+    line->setFixedWidth(LineWidth);
     return line;
 }
 
@@ -39,7 +38,8 @@ CommissioningEditor::CommissioningEditor(Context& context, ObjectKey key, QWidge
 {
     setObjectName(QStringLiteral("commissioning"));
     m_layers->addWidget(m_empty);
-    m_layers->addWidget(buildPage());
+    m_page = buildPage();
+    m_layers->addWidget(m_page);
     connectSafety();
     connect(m_control, &PanelControl::changed, this, &CommissioningEditor::refresh);
     connect(&context.document(), &ProjectDocument::changed, this, [this](const ProjectChange& change) {
@@ -190,12 +190,20 @@ void CommissioningEditor::refresh()
     m_lamps->present(axis, status.family, status.model);
 }
 
+/// Where the three do not fit side by side, the state diagram gives its room to the controls; the state stays as a pill.
+void CommissioningEditor::arrange()
+{
+    const int controls = m_readings->minimumSizeHint().width() + LineWidth + m_motion->minimumSizeHint().width();
+    m_page->setMinimumWidth(controls);
+    const bool room = width() >= controls + LineWidth + m_state->minimumSizeHint().width();
+    m_state->setVisible(room);
+    m_stateLine->setVisible(room);
+}
+
 void CommissioningEditor::resizeEvent(QResizeEvent* event)
 {
     Editor::resizeEvent(event);
-    const bool room = width() >= RoomForDiagram;
-    m_state->setVisible(room);
-    m_stateLine->setVisible(room);
+    arrange();
 }
 
 } // namespace camwright

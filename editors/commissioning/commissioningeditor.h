@@ -40,6 +40,7 @@ private:
     void connectSafety();
     void refresh();                     ///< after any change of link, status or arming
     void refreshLimits();
+    void arrange();
     QString emptySentence() const;
 
     PanelControl* m_control;
@@ -47,6 +48,7 @@ private:
     PanelWatch* m_watch;
     QStackedLayout* m_layers;
     EmptyState* m_empty;
+    QWidget* m_page = nullptr;
     Readings* m_readings = nullptr;
     QFrame* m_stateLine = nullptr;
     StateView* m_state = nullptr;

@@ -56,12 +56,13 @@ QWidget* JogPad::buildHead()
     m_hint->setProperty("tone", "caption");
     m_step = new QuantityField(named(tr("Step size")), head);
     m_step->setObjectName(QStringLiteral("stepSize"));
-    m_step->setFieldWidth(FieldWidth);
     row->addWidget(title);
     row->addWidget(m_mode);
     row->addWidget(m_hint);
     row->addStretch();
-    row->addWidget(plainField(m_step, head));
+    m_stepHolder = new PlainField(m_step, FieldWidth, head);
+    m_stepHolder->setFixedWidth(FieldWidth);
+    row->addWidget(m_stepHolder);
     connect(m_mode, &SegmentedControl::chosen, this, [this] {
         letGoAll();
         refresh();
@@ -117,14 +118,15 @@ QWidget* JogPad::buildCap()
     of->setProperty("tone", "dim");
     m_maximumField = new QuantityField(named(tr("Maximum speed")), holder);
     m_maximumField->setObjectName(QStringLiteral("maximumSpeed"));
-    m_maximumField->setFieldWidth(FieldWidth + 8);
     row->addWidget(label);
     row->addWidget(m_slider, 1);
     row->addWidget(m_percent);
     row->addWidget(m_capText);
-    row->addSpacing(8);
+    row->addSpacing(4);
     row->addWidget(of);
-    row->addWidget(plainField(m_maximumField, holder));
+    auto* maximum = new PlainField(m_maximumField, FieldWidth, holder);
+    maximum->setFixedWidth(FieldWidth);
+    row->addWidget(maximum);
     connect(m_slider, &QSlider::valueChanged, this, &JogPad::capMoved);
     connect(m_maximumField, &QuantityField::edited, this, &JogPad::maximumEdited);
     return holder;
@@ -248,7 +250,7 @@ void JogPad::refresh()
     m_percent->setText(QStringLiteral("<b>%1 %</b>").arg(shownNumber(share, share < 1 && share > 0 ? 1 : 0)));
     m_capText->setText(QStringLiteral("%1 %2").arg(shownNumber(m_cap, 1), unit));
     m_hint->setText(isStepping() ? tr("each press moves one step") : tr("hold to run, release to stop"));
-    m_step->parentWidget()->setVisible(isStepping());
+    m_stepHolder->setVisible(isStepping());
 }
 
 } // namespace camwright

@@ -12,6 +12,7 @@ class QSlider;
 namespace camwright {
 
 class HoldButton;
+class PlainField;
 class QuantityField;
 class SegmentedControl;
 
@@ -62,6 +63,7 @@ private:
     QLabel* m_capText;
     QuantityField* m_maximumField;
     QuantityField* m_step;
+    PlainField* m_stepHolder;
 };
 
 } // namespace camwright

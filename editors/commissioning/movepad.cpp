@@ -15,7 +15,7 @@ namespace camwright {
 
 namespace {
 
-constexpr int ColumnGap = 8;
+constexpr int ColumnGap = 8, SmallestField = 92;
 
 QLabel* caption(const QString& text, QWidget* parent)
 {
@@ -80,7 +80,7 @@ QuantityField* MovePad::addField(QGridLayout* grid, int row, int column, const Q
     auto* field = new QuantityField(spec, this);
     field->setObjectName(QLatin1String(objectName));
     grid->addLayout(head, row, column);
-    grid->addWidget(plainField(field, this), row + 1, column, Qt::AlignTop);
+    grid->addWidget(new PlainField(field, SmallestField, this), row + 1, column, Qt::AlignTop);
     return field;
 }
 
@@ -194,14 +194,6 @@ void MovePad::refresh()
     m_profile->setEstimate(m_estimate);
     const QString what = isRelative() ? tr("Moves by the distance.") : tr("Moves to the target.");
     m_move->setToolTip(why.isEmpty() ? what : why);
-}
-
-void MovePad::resizeEvent(QResizeEvent* event)
-{
-    QWidget::resizeEvent(event);
-    const int wide = std::max(90, (width() - 3 * ColumnGap) / 4);
-    for (QuantityField* field : {m_target, m_velocity, m_acceleration})
-        field->setFieldWidth(wide);
 }
 
 } // namespace camwright

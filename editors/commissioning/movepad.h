@@ -40,9 +40,6 @@ public:
 signals:
     void moveWanted();
 
-protected:
-    void resizeEvent(QResizeEvent* event) override;
-
 private:
     QuantityField* addField(QGridLayout* grid, int row, int column, const QString& name, const char* objectName, QLabel** note = nullptr);
     void refresh();

@@ -68,6 +68,7 @@ Readings::Readings(QWidget* parent)
     column->addLayout(travel);
     column->addWidget(m_travel);
     column->addStretch();
+    connect(&theme(), &Theme::changed, this, [this] { showState(m_last); });
 }
 
 void Readings::buildTable(QGridLayout* table)
@@ -137,6 +138,7 @@ void Readings::showRow(Row row, std::optional<double> value, const QString& unit
 
 void Readings::present(const AxisStatus& axis, const ReadingsInput& input)
 {
+    m_last = axis;
     const QString unit = QString::fromStdString(axis.unit);
     m_digits->setValue(shownNumber(axis.position, 3), unit);
     showState(axis);

@@ -38,6 +38,7 @@ private:
     void showState(const AxisStatus& axis);
     void showRow(Row row, std::optional<double> value, const QString& unit, int decimals, bool hasPeak);
 
+    AxisStatus m_last;
     QLabel* m_homedIcon;
     QLabel* m_homed;
     BigDigits* m_digits;

@@ -82,7 +82,7 @@ void TravelBar::paintScale(QPainter& painter) const
     painter.setBrush(Qt::NoBrush);
     painter.drawRoundedRect(frame, 3, 3);
 
-    const double step = roundStep(m_range.high - m_range.low, std::max(2, width() / 90));
+    const double step = roundStep(m_range.high - m_range.low, std::max(2, width() / 64));
     painter.setFont(theme().monoFont());
     const int decimals = decimalsFor(step);
     for (double value = std::ceil(m_range.low / step) * step; value <= m_range.high + step * 1e-6; value += step) {
