@@ -58,13 +58,13 @@ void BadgeTabBar::paintEvent(QPaintEvent*)
         const QRect tab = tabRect(i);
         const bool current = i == currentIndex();
         if (current)
-            painter.fillRect(QRect(tab.left(), tab.bottom() - 1, tab.width(), 2), theme().color(Role::Accent));
+            painter.fillRect(QRect(tab.left(), height() - 2, tab.width(), 2), theme().color(Role::Accent));
         painter.setFont(wordFont(current));
         painter.setPen(theme().color(current ? Role::Text : Role::Dim));
-        painter.drawText(tab.adjusted(12, 0, 0, 0), Qt::AlignVCenter | Qt::AlignLeft, tabText(i));
+        painter.drawText(QRect(tab.left() + 12, 0, tab.width(), height()), Qt::AlignVCenter | Qt::AlignLeft, tabText(i));
         const QSize badge = badgeSize(i);
         if (!badge.isEmpty()) {
-            const QRect box(QPoint(tab.right() - 10 - badge.width(), tab.center().y() - 7), badge);
+            const QRect box(QPoint(tab.right() - 10 - badge.width(), (height() - 16) / 2), badge);
             painter.setPen(Qt::NoPen);
             painter.setBrush(theme().color(Role::WarnSoft));
             painter.drawRoundedRect(box, 8, 8);

@@ -16,7 +16,7 @@ QString machineName(const ControllerStatus& status)
     const Family* family = findFamily(status.family);
     QStringList parts;
     if (family)
-        parts << QString::fromStdString(family->displayName());
+        parts << QString::fromStdString(family->displayName()).section(QLatin1Char(' '), 0, 0); // the model names the series
     if (!status.model.empty())
         parts << QString::fromStdString(status.model);
     return parts.join(QLatin1Char(' '));

@@ -35,6 +35,7 @@ EditorArea::EditorArea(Context& context, QWidget* parent) : QWidget(parent), m_c
     m_row->addWidget(m_bar, 1);
     column->addWidget(strip);
     m_pages = new QStackedWidget(this);
+    m_pages->setProperty("surface", "plain");
     auto* empty = new EmptyState(QStringLiteral("programs"), tr("Open an object from the project tree, or press Ctrl+P to find one."));
     m_pages->addWidget(empty);
     column->addWidget(m_pages, 1);

@@ -8,8 +8,8 @@
 
 namespace camwright {
 
-FamilyCard::FamilyCard(const QString& drawing, const QString& name, const QString& sentence, const QString& buses, QWidget* parent)
-    : QAbstractButton(parent), m_drawing(drawing), m_sentence(sentence), m_buses(buses)
+FamilyCard::FamilyCard(const QString& drawing, const QString& name, const QString& sentence, const QString& buses, const QString& busIcon, QWidget* parent)
+    : QAbstractButton(parent), m_drawing(drawing), m_sentence(sentence), m_buses(buses), m_busIcon(busIcon)
 {
     setText(name);
     setAccessibleName(tr("New project for %1").arg(name));
@@ -55,7 +55,7 @@ void FamilyCard::paintEvent(QPaintEvent*)
     painter.setPen(theme().color(Role::Dim));
     painter.drawText(QRectF(12, 109, width() - 24, 36), int(Qt::AlignLeft | Qt::AlignTop) | Qt::TextWordWrap, m_sentence);
     if (isEnabled())
-        paintIcon(painter, QRectF(12, height() - 27, 14, 14), QStringLiteral("network"), Role::Accent);
+        paintIcon(painter, QRectF(12, height() - 27, 14, 14), m_busIcon, Role::Accent);
     painter.setPen(theme().color(isEnabled() ? Role::Text : Role::Dim));
     painter.drawText(QRectF(isEnabled() ? 32 : 12, height() - 30, width() - 40, 20), Qt::AlignVCenter | Qt::AlignLeft, m_buses);
 }

@@ -8,7 +8,7 @@ namespace camwright {
 class FamilyCard : public QAbstractButton {
     Q_OBJECT
 public:
-    FamilyCard(const QString& drawing, const QString& name, const QString& sentence, const QString& buses, QWidget* parent = nullptr);
+    FamilyCard(const QString& drawing, const QString& name, const QString& sentence, const QString& buses, const QString& busIcon, QWidget* parent = nullptr);
     /// Not offered in this version; the reason stands where the buses would.
     void setMissing(const QString& reason);
     QSize sizeHint() const override { return {214, 178}; }
@@ -22,6 +22,7 @@ private:
     QString m_drawing;
     QString m_sentence;
     QString m_buses;
+    QString m_busIcon;
 };
 
 } // namespace camwright

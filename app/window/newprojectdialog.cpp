@@ -72,6 +72,9 @@ NewProjectDialog::NewProjectDialog(const QString& familyId, const QString& paren
     form->addRow(QString(), m_facts);
     form->addRow(tr("Name"), m_name);
     form->addRow(tr("In folder"), folderRow);
+    for (QWidget* field : {static_cast<QWidget*>(m_family), static_cast<QWidget*>(m_model), static_cast<QWidget*>(m_name)})
+        form->labelForField(field)->setMinimumHeight(Theme::FieldHeight);
+    form->labelForField(folderRow)->setMinimumHeight(Theme::FieldHeight);
     column->addLayout(form);
     m_problem = new QLabel(this);
     m_problem->setProperty("tone", "error");

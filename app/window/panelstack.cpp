@@ -91,8 +91,7 @@ void PanelStack::refreshBadge(int entry)
 {
     const Panel* panel = m_entries[std::size_t(entry)].panel;
     m_bar->setTabData(entry + extraTabs(), panel ? panel->badge() : 0);
-    m_bar->updateGeometry();
-    m_bar->update();
+    m_bar->setTabText(entry + extraTabs(), m_entries[std::size_t(entry)].factory.name); // lays the tabs out anew
 }
 
 void PanelStack::setExtraPage(QWidget* page, const QString& name)

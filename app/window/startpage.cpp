@@ -93,6 +93,7 @@ StartPage::StartPage(Settings& settings, QWidget* parent) : QScrollArea(parent),
     column->addSpacing(8);
     auto* card = new QFrame(main);
     card->setProperty("surface", "card");
+    card->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
     auto* inside = new QVBoxLayout(card);
     inside->setContentsMargins(1, 1, 1, 1);
     m_recent = new RecentList(card);
@@ -190,15 +191,15 @@ QWidget* StartPage::familyCards()
     auto* row = new QHBoxLayout(out);
     row->setContentsMargins(0, 0, 0, 0);
     row->setSpacing(16);
-    const auto card = [&](const char* drawing, const QString& name, const QString& sentence, const QString& buses) {
-        auto* made = new FamilyCard(QString::fromLatin1(drawing), name, sentence, buses, out);
+    const auto card = [&](const char* drawing, const QString& name, const QString& sentence, const QString& buses, const char* busIcon = "network") {
+        auto* made = new FamilyCard(QString::fromLatin1(drawing), name, sentence, buses, QString::fromLatin1(busIcon), out);
         made->setObjectName(QString::fromLatin1(drawing));
         row->addWidget(made);
         return made;
     };
     connect(card("family-kinco", QStringLiteral("Kinco KS"), tr("Compact controller with up to 32 CANopen axes."), QStringLiteral("CANopen")),
         &QAbstractButton::clicked, this, [this] { emit newRequested(QStringLiteral("kinco")); });
-    connect(card("family-invt", QStringLiteral("INVT TS600"), tr("Logic of the TS600 in instruction list, with its timers and counters."), tr("Virtual terminals")),
+    connect(card("family-invt", QStringLiteral("INVT TS600"), tr("Logic of the TS600 in instruction list, with its timers and counters."), tr("Virtual terminals"), "terminals"),
         &QAbstractButton::clicked, this, [this] { emit newRequested(QStringLiteral("invt")); });
     card("family-koyo", QStringLiteral("Koyo D2-MLINK"), tr("Sigma-V servos on a DL205 base, 15 per module."), {})->setMissing(tr("Not in this version."));
     card("family-soft", tr("Soft controller"), tr("Camwright's own controller on this or another PC."), {})->setMissing(tr("Not in this version."));

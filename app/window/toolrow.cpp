@@ -72,7 +72,7 @@ ToolRow::ToolRow(Context& context, Connection& connection, Settings& settings, Q
     row->addWidget(m_address);
     m_online = new QToolButton(this);
     describe(m_online, "onlineButton", tr("Online"));
-    m_online->setText(tr("Online"));
+    m_online->setText(QLatin1Char(' ') + tr("Online"));
     m_online->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
     m_online->setIconSize({16, 16});
     m_online->setFixedHeight(28);
@@ -106,11 +106,13 @@ QToolButton* ToolRow::addButton(QHBoxLayout* row, const QString& actionId, bool 
     QString name = action->text();
     name.remove(QLatin1Char('&')).remove(QLatin1String("..."));
     button->setAccessibleName(name);
-    button->setText(name);
+    // A blank keeps the word off the icon.
+    const QString shown = QLatin1Char(' ') + name;
+    button->setText(shown);
     button->setIconSize({16, 16});
     button->setFixedHeight(28);
     button->setToolButtonStyle(withText ? Qt::ToolButtonTextBesideIcon : Qt::ToolButtonIconOnly);
-    connect(action, &QAction::changed, button, [button, name] { button->setText(name); });
+    connect(action, &QAction::changed, button, [button, shown] { button->setText(shown); });
     row->addWidget(button);
     return button;
 }
@@ -145,8 +147,9 @@ void ToolRow::refreshAddresses()
 void ToolRow::refresh()
 {
     setStyleSheet(QStringLiteral("#toolRow { background: %1; border: none; border-bottom: 1px solid %2; } "
-                                 "#toolRow QComboBox { background: %3; border-radius: 5px; } #toolRow QComboBox QLineEdit { border: none; background: transparent; padding: 0; min-height: 20px; }")
-                      .arg(theme().name(Role::Surface), theme().name(Role::Line), theme().name(Role::Raised)));
+                                 "#toolRow QComboBox { background: %3; border-radius: 5px; } #toolRow QComboBox QLineEdit { border: none; background: transparent; padding: 0; min-height: 20px; } "
+                                 "#toolRow QComboBox:disabled, #toolRow QComboBox:disabled QLineEdit { color: %4; }")
+                      .arg(theme().name(Role::Surface), theme().name(Role::Line), theme().name(Role::Raised), theme().name(Role::Dim)));
     const LinkState state = m_connection.state();
     const bool offline = state == LinkState::Offline;
     const bool open = m_context.document().isOpen();
@@ -156,6 +159,7 @@ void ToolRow::refresh()
         m_address->setEditText({});
     else if (m_address->currentText().isEmpty())
         m_address->setCurrentIndex(0);
+    m_address->lineEdit()->setCursorPosition(0);
     const bool simulated = !m_context.link() || m_context.link()->capabilities().simulated || m_connection.address() == QLatin1String("local");
     const Role ink = offline ? Role::Idle : state == LinkState::Lost ? Role::Error : simulated ? Role::Simulated : Role::Real;
     m_lamp->setPixmap(iconPixmap(offline ? QStringLiteral("ring") : simulated ? QStringLiteral("dot") : QStringLiteral("square"), 12, ink, devicePixelRatioF()));

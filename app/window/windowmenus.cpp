@@ -47,9 +47,11 @@ void MainWindow::buildMenus()
     menu(tr("&Controller"), {"online.connect", "online.disconnect", "", "online.download", "online.run", "online.stop", "", "online.releaseForces", "online.stopAxes"});
     menu(tr("&Help"), {"help.docs", "", "help.about"});
 
+    menuBar()->setFixedHeight(27);
     auto* name = new QLabel(QStringLiteral("Camwright"));
     name->setFont(theme().boldFont());
-    name->setContentsMargins(12, 0, 8, 0);
+    name->setContentsMargins(12, 0, 8, 1);
+    name->setFixedHeight(26);
     menuBar()->setCornerWidget(name, Qt::TopLeftCorner);
     m_presets = new BadgeTabBar;
     m_presets->setObjectName(QStringLiteral("presets"));

@@ -42,7 +42,7 @@ void Workspace::rememberProject()
     project.name = document.displayName();
     const ControllerSettings& controller = document.project().controller();
     const Family* family = findFamily(controller.family);
-    project.controller = family ? QString::fromStdString(family->displayName()) + QLatin1Char(' ') + QString::fromStdString(controller.model)
+    project.controller = family ? QString::fromStdString(family->displayName()).section(QLatin1Char(' '), 0, 0) + QLatin1Char(' ') + QString::fromStdString(controller.model)
                                 : QString::fromStdString(controller.model);
     project.opened = QDateTime::currentDateTime();
     if (document.isModified())

@@ -3,6 +3,8 @@
 #include <QApplication>
 #include <QFile>
 #include <QFontDatabase>
+#include <QPointer>
+#include <QProxyStyle>
 #include <QRegularExpression>
 #include <QStyle>
 #include <QStyleFactory>
@@ -53,6 +55,17 @@ constexpr std::array<RoleRow, std::size_t(Role::Count)> Roles = {{
     {"channel3", "#16814a", "#4cc38a"},
     {"channel4", "#8a3fb5", "#c99bff"},
 }};
+
+/// Fusion without lines under the menus' letters; they stay usable with Alt.
+class WindowStyle : public QProxyStyle {
+public:
+    WindowStyle() : QProxyStyle(QStyleFactory::create(QStringLiteral("Fusion"))) {}
+
+    int styleHint(StyleHint hint, const QStyleOption* option, const QWidget* widget, QStyleHintReturn* returned) const override
+    {
+        return hint == SH_UnderlineShortcut ? 0 : QProxyStyle::styleHint(hint, option, widget, returned);
+    }
+};
 
 /// The system's font; where the system has made no choice of its own, Inter if it is there.
 QFont baseFont()
@@ -174,8 +187,9 @@ QString Theme::styleSheet() const
 
 void Theme::applyToApplication()
 {
-    if (QApplication::style()->objectName() != QLatin1String("fusion"))
-        QApplication::setStyle(QStyleFactory::create(QStringLiteral("Fusion")));
+    static QPointer<QStyle> ours;
+    if (!ours)
+        QApplication::setStyle(ours = new WindowStyle);
     QApplication::setFont(font());
     QApplication::setPalette(palette());
     qApp->setStyleSheet(styleSheet());

@@ -112,13 +112,12 @@ bool setLanguage(QCoreApplication& application, const QString& language, const Q
 {
     Installed& state = installed();
     std::vector<std::unique_ptr<QTranslator>> fresh;
-    if (language != QLatin1String("en")) {
-        const QString folder = directory.isEmpty() ? QStringLiteral(":/translations") : directory;
-        auto ours = std::make_unique<QTranslator>();
-        if (!ours->load(QStringLiteral("camwright_") + language, folder))
-            return false;
+    const QString folder = directory.isEmpty() ? QStringLiteral(":/translations") : directory;
+    auto ours = std::make_unique<QTranslator>();
+    if (ours->load(QStringLiteral("camwright_") + language, folder))
         fresh.push_back(std::move(ours));
-    }
+    else if (language != QLatin1String("en")) // the English file holds only plural forms
+        return false;
     for (const auto& old : state.translators)
         application.removeTranslator(old.get());
     state.translators = std::move(fresh);

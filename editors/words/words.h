@@ -28,7 +28,7 @@ QStringList languages();
 /// The language's own name: "English", "中文", "Русский".
 QString languageName(const QString& language);
 /// Loads the translation files of `language` from `directory` (or the resource ":/translations") and installs them; English
-/// removes them. False when the language has no file, English stays then.
+/// has a file for its plural forms only. False when the language has no file, English stays then.
 bool setLanguage(QCoreApplication& application, const QString& language, const QString& directory = {});
 QString currentLanguage();
 /// What the system asks for, as one of languages(); English when it is none of them.
