@@ -6,6 +6,7 @@
 
 #include <benchmark/benchmark.h>
 
+#include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <memory>
@@ -37,8 +38,11 @@ ControllerImage compileText(const std::string& text, const LanguageContext& cont
 {
     const ProgramSource source{{ObjectKind::Program, "Main"}, ProgramRole::Main, text};
     const CheckedSources checked = checkSources({&source, 1}, context);
-    if (!checked.programs)
+    if (!checked.programs) {
+        for (const Diagnostic& diagnostic : checked.diagnostics)
+            std::fputs((englishLine(diagnostic) + "\n").c_str(), stderr);
         std::abort();
+    }
     LoweredPrograms lowered = lowerPrograms(*context.family, *context.model, *checked.programs, Job());
     ControllerImage image;
     image.layout = memoryLayout(*context.family, *context.model, 0, 1);

@@ -24,6 +24,7 @@ inline std::string generateIl(unsigned networks)
 {
     Sequence random;
     const auto bit = [&] { return "%M" + std::to_string(random.next(1000)) + "." + std::to_string(random.next(8)); };
+    const auto coil = [](unsigned n) { return "%M" + std::to_string(500 + n / 8) + "." + std::to_string(n % 8); };
     const auto word = [&](const char* letter) { return std::string("%V") + letter + std::to_string(4 * random.next(1000)); };
     std::string out;
     for (unsigned n = 0; n < networks; ++n) {
@@ -34,11 +35,11 @@ inline std::string generateIl(unsigned networks)
             static const char* const Contacts[] = {"AND ", "ANDN ", "OR ", "ORN "};
             for (std::uint32_t i = 0, count = 1 + random.next(5); i < count; ++i)
                 out += Contacts[random.next(4)] + bit() + "\n";
-            out += "ST " + bit() + "\n";
+            out += "ST " + coil(n) + "\n";
         } else if (kind < 77) {
             out += "LD %SM0.0\nADD " + word("D") + ", " + word("D") + ", " + word("D") + "\n";
         } else if (kind < 87) {
-            out += "LD %SM0.0\nGT " + word("D") + ", " + word("D") + "\nST " + bit() + "\n";
+            out += "LD %SM0.0\nGT " + word("D") + ", " + word("D") + "\nST " + coil(n) + "\n";
         } else if (kind < 95) {
             out += "LD %SM0.0\nMUL " + word("R") + ", 1.0001, " + word("R") + "\n";
         } else {

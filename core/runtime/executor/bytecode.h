@@ -79,6 +79,7 @@ struct Frame {
 
     std::uint8_t* bytes = nullptr;
     const Bytecode* code = nullptr;
+    const Contact* contacts = nullptr;
     const IrProgram* program = nullptr;
     Memory* memory = nullptr;
     BlockHost* host = nullptr;

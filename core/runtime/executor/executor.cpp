@@ -55,6 +55,7 @@ ScanReport ScanExecutor::run(std::uint32_t routine, const ScanInput& input)
     Frame frame;
     frame.bytes = m_memory.data();
     frame.code = m_code.get();
+    frame.contacts = m_code->contacts.data();
     frame.program = &m_image->program;
     frame.memory = &m_memory;
     frame.host = input.host;

@@ -10,11 +10,15 @@ Handler computingHandler(IrOp op, DataType type, DataType from);
 /// Copies a value of the type from a to dest.
 Handler copyHandler(DataType type);
 
-// Networks: a is the first contact.
-const Step* networkToByte(Frame& frame, const Step* step);
-const Step* networkToBit(Frame& frame, const Step* step);     ///< extra: mask
-const Step* networkJumpIf(Frame& frame, const Step* step);    ///< dest: step; b: this instruction; extra: target instruction
-const Step* networkJumpIfNot(Frame& frame, const Step* step);
+/// What becomes of the result of a network. Step: a is the first contact.
+enum class NetworkEnding : std::uint8_t {
+    Byte,      ///< dest: offset of a byte, 0 or 1
+    Bit,       ///< dest: offset, extra: mask
+    JumpIf,    ///< dest: step to go to; b: this IR instruction; extra: the target's
+    JumpIfNot,
+};
+/// The handler for a network of so many contacts, the last of them marked.
+Handler networkHandler(NetworkEnding ending, std::size_t contacts);
 
 // Control: b is the IR instruction.
 const Step* jump(Frame& frame, const Step* step);             ///< dest: step; extra: target instruction

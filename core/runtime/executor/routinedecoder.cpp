@@ -172,9 +172,9 @@ void RoutineDecoder::decodeStore(const IrInstruction& i)
     const std::vector<Contact> chain = chainOf(i.a);
     flush();
     if (i.address.bit == IrAddress::WholeByte)
-        emit(networkToByte, dest, emitContacts(chain));
+        emit(networkHandler(NetworkEnding::Byte, chain.size()), dest, emitContacts(chain));
     else
-        emit(networkToBit, dest, emitContacts(chain), 0, maskOf(i.address));
+        emit(networkHandler(NetworkEnding::Bit, chain.size()), dest, emitContacts(chain), 0, maskOf(i.address));
 }
 
 void RoutineDecoder::decodeJump(const IrInstruction& i)
@@ -187,7 +187,8 @@ void RoutineDecoder::decodeJump(const IrInstruction& i)
     const std::vector<Contact> chain = chainOf(i.a);
     flush();
     m_jumps.push_back(static_cast<std::uint32_t>(m_out.steps.size()));
-    emit(i.op == IrOp::JumpIf ? networkJumpIf : networkJumpIfNot, i.index, emitContacts(chain), m_at, i.index);
+    const NetworkEnding ending = i.op == IrOp::JumpIf ? NetworkEnding::JumpIf : NetworkEnding::JumpIfNot;
+    emit(networkHandler(ending, chain.size()), i.index, emitContacts(chain), m_at, i.index);
 }
 
 void RoutineDecoder::decodeEdge(const IrInstruction& i)
@@ -279,11 +280,11 @@ void RoutineDecoder::writeDown(Operand& operand)
     const std::uint32_t slot = m_slots.take();
     if (operand.type != DataType::Bool) {
         emit(copyHandler(operand.type), slot, operand.offset);
-    } else if (operand.state == Operand::State::Network) {
-        emit(networkToByte, slot, emitContacts(operand.contacts));
-        operand.contacts.clear();
     } else {
-        emit(networkToByte, slot, emitContacts({{operand.offset, operand.mask, Contact::Or}}));
+        if (operand.state != Operand::State::Network)
+            operand.contacts = {{operand.offset, operand.mask, Contact::Or}};
+        emit(networkHandler(NetworkEnding::Byte, operand.contacts.size()), slot, emitContacts(operand.contacts));
+        operand.contacts.clear();
     }
     operand.state = Operand::State::Slot;
     operand.offset = slot;
