@@ -1,19 +1,84 @@
 #include "core/language/check/operandtypes.h"
 
 #include <algorithm>
+#include <map>
 
 namespace camwright {
+
+namespace {
+
+constexpr auto FirstType = static_cast<unsigned>(DataType::Bool);
+constexpr auto LastType = static_cast<unsigned>(DataType::Lword);
+
+TypeSet askedTypes(const Family& family, const ControllerModel& model, const Address& address)
+{
+    TypeSet out;
+    for (unsigned i = FirstType; i <= LastType; ++i)
+        if (family.withType(address, static_cast<DataType>(i), model))
+            out.insert(static_cast<DataType>(i));
+    return out;
+}
+
+/// Types of each form of address in the areas where they depend on the form alone (not on the number, as with counters).
+/// Asking the family costs a sentence for each type that is not one; a program has thousands of operands.
+class FormTypes {
+public:
+    explicit FormTypes(const Family& family)
+    {
+        for (const MemoryArea& area : family.areas()) {
+            if (area.kind != AreaKind::Bytes && area.kind != AreaKind::Bits && area.kind != AreaKind::Words)
+                continue;
+            for (unsigned i = FirstType; i <= LastType; ++i) {
+                const auto type = static_cast<DataType>(i);
+                const Address first = type == DataType::Bool ? bitAddress(area.id, 0) : valueAddress(area.id, 0, type);
+                m_types[{area.id, type}] = askedTypes(family, family.defaultModel(), first);
+            }
+        }
+    }
+
+    const TypeSet* find(const Address& address) const
+    {
+        const auto found = m_types.find({address.area, address.type});
+        return found == m_types.end() ? nullptr : &found->second;
+    }
+
+private:
+    std::map<std::pair<AreaId, DataType>, TypeSet> m_types;
+};
+
+const FormTypes& formTypes(const Family& family)
+{
+    static const std::map<const Family*, FormTypes> all = [] {
+        std::map<const Family*, FormTypes> out;
+        for (const Family* known : families())
+            out.emplace(known, FormTypes(*known));
+        return out;
+    }();
+    return all.at(&family);
+}
+
+TypeSet possibleTypes(const Address& address, const LanguageContext& context)
+{
+    const TypeSet* form = formTypes(*context.family).find(address);
+    if (!form)
+        return askedTypes(*context.family, *context.model, address);
+    TypeSet out;
+    for (const DataType type : form->list()) {
+        Address typed = address;
+        typed.type = type;
+        if (context.family->blockFits(typed, byteWidth(type), *context.model))
+            out.insert(type);
+    }
+    return out;
+}
+
+} // namespace
 
 MemoryTypes typesOf(const ResolvedMemory& memory, const LanguageContext& context)
 {
     if (memory.variable)
         return {TypeSet{memory.variable->type}, nullptr};
-    TypeSet out;
-    for (unsigned i = static_cast<unsigned>(DataType::Bool); i <= static_cast<unsigned>(DataType::Lword); ++i) {
-        const auto type = static_cast<DataType>(i);
-        if (context.family->withType(memory.address, type, *context.model))
-            out.insert(type);
-    }
+    const TypeSet out = possibleTypes(memory.address, context);
     if (const KnownVariable* variable = context.variableAt(memory.address))
         if (!out.contains(variable->type) || out.list().size() > 1)
             return {intersection(out, TypeSet{variable->type}), variable};

@@ -1,3 +1,4 @@
+#include "core/language/check/operandtypes.h"
 #include "tests/core/language/check/checking.h"
 
 #include <gtest/gtest.h>
@@ -203,6 +204,24 @@ TEST(CheckProgramTest, refusesGroupsWhenStrict) // C32
     const std::string text = "(* Network 0 *)\nLD %M0.0\nAND( %M0.1\nOR %M0.2\n)\nST %M0.3\n";
     EXPECT_EQ(codesOf(check(ks101m(), text).diagnostics), "");
     EXPECT_EQ(codesOf(check(strict, text).diagnostics), "CW3110@3:1");
+}
+
+TEST(CheckProgramTest, knowsTheTypesOfEveryFormAsTheFamilyDoes)
+{
+    for (const LanguageContext* context : {&ks101m(), &ks105(), &ts635()})
+        for (const char* text : {"%M0.1", "%VB0", "%VW304", "%VD6", "%VR8", "%AIW0", "%VD16380", "%VD4092", "%SMD208", "T5", "C5", "X17", "Y0", "D0", "D0.3",
+                 "D32767", "Z0", "R5", "SM1", "C200", "S9"}) {
+            const auto address = context->family->parseAddress(text, *context->model);
+            if (!address)
+                continue;
+            const MemoryTypes types = typesOf({*address, nullptr}, *context);
+            if (types.forcing)
+                continue;
+            for (unsigned i = 1; i <= 16; ++i) {
+                const auto type = static_cast<DataType>(i);
+                EXPECT_EQ(types.possible.contains(type), context->family->withType(*address, type, *context->model).ok()) << text << ' ' << name(type);
+            }
+        }
 }
 
 TEST(CheckProgramTest, everyStructuralMnemonicIsInTheCatalogue)
