@@ -22,6 +22,9 @@ public:
     virtual ~CanPort() = default;
     /// False when the send buffer is full (KS-MC-10, ERRID 4); the frame is not queued then.
     virtual bool send(const CanFrame& frame) = 0;
+    /// For a frame that must not wait (a stop): it goes before everything that waits and takes the place of waiting frames
+    /// with its identifier. A full buffer does not refuse it. Ports that cannot do so queue it.
+    virtual bool sendFirst(const CanFrame& frame) { return send(frame); }
 };
 
 } // namespace camwright

@@ -105,6 +105,12 @@ bool CanopenMaster::outputsPending(std::uint8_t number) const
     return false;
 }
 
+bool CanopenMaster::commandPending(std::uint8_t number) const
+{
+    const Node* node = find(number);
+    return node != nullptr && (!node->everSent[0] || node->sent[0] != packOutputs(node->outputs, 1, number));
+}
+
 bool CanopenMaster::sendBlocked(std::uint8_t number) const
 {
     const Node* node = find(number);
@@ -212,10 +218,15 @@ bool CanopenMaster::sendOutput(Node& node, unsigned index, const CanFrame& frame
         node.blocked = true;
         return false;
     }
+    noteSent(node, index, frame, now);
+    return true;
+}
+
+void CanopenMaster::noteSent(Node& node, unsigned index, const CanFrame& frame, Time now)
+{
     node.sent[index] = frame;
     node.sentAt[index] = now;
     node.everSent[index] = true;
-    return true;
 }
 
 void CanopenMaster::stepOutputs(Node& node, Time now)
@@ -227,6 +238,13 @@ void CanopenMaster::stepOutputs(Node& node, Time now)
     const CanFrame speeds = packOutputs(node.outputs, 2, node.config.node);
     const bool commandDue = !node.everSent[0] || command != node.sent[0];
     const bool speedsDue = !node.everSent[1] || speeds != node.sent[1];
+    if (node.urgent && commandDue) {
+        if (m_port.sendFirst(command)) {
+            noteSent(node, 0, command, now);
+            node.urgent = false; // the speeds of a stop may follow as usual
+        }
+        return;
+    }
     // The control word and the mode are the first three bytes.
     const bool atOnce = node.urgent || !node.everSent[0] || !std::equal(command.data.begin(), command.data.begin() + 3, node.sent[0].data.begin());
     const auto mayGo = [&](unsigned index) { return atOnce || now - node.sentAt[index] >= node.config.inhibitTime; };

@@ -89,7 +89,8 @@ struct Emergency {
 /// serves SDO requests, guards the nodes. Frames in by receive(), out by the CanPort, time passed in; one thread.
 ///
 /// Sending of process data: a PDO goes out when its data changed. A changed control word or mode goes at once, after the
-/// speeds it refers to; targets alone wait for the inhibit time. setOutputs with `urgent` waits for nothing (stop, CONTRACTS 19).
+/// speeds it refers to; targets alone wait for the inhibit time. setOutputs with `urgent` (stop, CONTRACTS 19) waits for nothing:
+/// its control word goes before the speeds and before every frame that still waits in the send buffer.
 class CanopenMaster {
 public:
     using SdoHandle = std::uint32_t;                       ///< 0 is none
@@ -120,6 +121,8 @@ public:
     void setOutputs(std::uint8_t node, const DriveOutputs& outputs, bool urgent = false);
     /// Outputs that differ from what was sent: waiting for the inhibit time or for room in the send buffer.
     bool outputsPending(std::uint8_t node) const;
+    /// The same for control word, mode and target alone: false once a stop has been handed to the CAN controller.
+    bool commandPending(std::uint8_t node) const;
     /// The last attempt to send process data to the node found the send buffer full.
     bool sendBlocked(std::uint8_t node) const;
 
@@ -209,6 +212,7 @@ private:
     void stepGuard(Node& node, Time now);
     void stepOutputs(Node& node, Time now);
     bool sendOutput(Node& node, unsigned number, const CanFrame& frame, Time now);
+    void noteSent(Node& node, unsigned number, const CanFrame& frame, Time now);
     void saveNode(ByteWriter& writer, const Node& node) const;
     void restoreNode(ByteReader& reader, Node& node);
 

@@ -255,7 +255,7 @@ void Panel::superviseMotion()
 
 void Panel::afterSending()
 {
-    if (!m_stopToReport || m_axis.master().outputsPending(m_axis.node()))
+    if (!m_stopToReport || m_axis.master().commandPending(m_axis.node()))
         return;
     m_stopToReport = false;
     m_log.add(Code::DeadManStop, {m_axis.configuration().name, std::to_string(m_reportedBeat), std::to_string(m_cycle)});

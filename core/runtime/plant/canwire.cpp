@@ -27,6 +27,18 @@ bool CanWire::Node::send(const CanFrame& frame)
     return true;
 }
 
+/// A frame that is on the wire already ends first.
+bool CanWire::Node::sendFirst(const CanFrame& frame)
+{
+    assert(frame.length <= 8);
+    const bool onWire = wire->m_busy && wire->m_nodes[wire->m_sender].get() == this && !queue.empty();
+    const auto waiting = queue.begin() + (onWire ? 1 : 0);
+    const auto stale = [&](const CanFrame& other) { return other.id == frame.id && other.extended == frame.extended; };
+    queue.erase(std::remove_if(waiting, queue.end(), stale), queue.end());
+    queue.insert(queue.begin() + (onWire ? 1 : 0), frame);
+    return true;
+}
+
 unsigned CanWire::addNode(unsigned queueLength)
 {
     auto node = std::make_unique<Node>();

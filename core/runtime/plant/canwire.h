@@ -59,6 +59,7 @@ public:
 private:
     struct Node final : CanPort {
         bool send(const CanFrame& frame) override;
+        bool sendFirst(const CanFrame& frame) override;
         CanWire* wire = nullptr;
         std::deque<CanFrame> queue;
         unsigned length = 64;

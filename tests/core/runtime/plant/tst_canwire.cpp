@@ -189,3 +189,20 @@ TEST_F(CanWireTest, goesOnFromSavedBytesInTheMiddleOfAFrame)
     other.save(again);
     EXPECT_EQ(first.bytes(), again.bytes());
 }
+
+// C19: a stop waits for nothing but the frame that is on the wire
+TEST_F(CanWireTest, anUrgentFrameGoesBeforeEverythingThatWaits)
+{
+    for (std::uint8_t i = 0; i < 4; ++i)
+        ASSERT_TRUE(wire.port(0).send(frame(0x300u + i, i)));
+    EXPECT_FALSE(wire.port(0).send(frame(0x301, 9)));
+    advance(10us); // the first is on the wire
+    ASSERT_TRUE(wire.port(0).sendFirst(frame(0x302, 99)));
+    advance(10ms);
+    std::vector<unsigned> order;
+    for (const Heard& h : heard) {
+        if (h.node == 1)
+            order.push_back(h.frame.data[0]);
+    }
+    EXPECT_EQ(order, (std::vector<unsigned>{0, 99, 1, 3})) << "and takes the place of an older one with its identifier";
+}
