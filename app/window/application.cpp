@@ -20,9 +20,9 @@ QString translationsFolder()
 }
 
 /// The window and its workspace; a change of language makes the window anew.
-class Program : public QObject {
+class Session : public QObject {
 public:
-    explicit Program(Services services) : m_workspace(std::move(services), registerEverything) { makeWindow(); }
+    explicit Session(Services services) : m_workspace(std::move(services), registerEverything) { makeWindow(); }
 
     Workspace& workspace() { return m_workspace; }
     MainWindow& window() { return *m_window; }
@@ -31,7 +31,7 @@ private:
     void makeWindow()
     {
         m_window = std::make_unique<MainWindow>(m_workspace);
-        connect(m_window.get(), &MainWindow::languageRequested, this, &Program::changeLanguage, Qt::QueuedConnection);
+        connect(m_window.get(), &MainWindow::languageRequested, this, &Session::changeLanguage, Qt::QueuedConnection);
         m_window->show();
     }
 
@@ -97,8 +97,8 @@ int runWindow(int argc, char** argv)
     }
 
     RealServices real;
-    Program program(real.services());
-    MainWindow& window = program.window();
+    Session session(real.services());
+    MainWindow& window = session.window();
     const bool demo = parser.isSet(QStringLiteral("demo"));
     const QString project = demo ? parser.value(QStringLiteral("demo")) : parser.positionalArguments().value(0);
     if (!project.isEmpty())
@@ -106,7 +106,7 @@ int runWindow(int argc, char** argv)
 
     std::unique_ptr<Screenshots> screenshots;
     if (parser.isSet(QStringLiteral("screenshot"))) {
-        screenshots = std::make_unique<Screenshots>(program.workspace(), window, parser.value(QStringLiteral("screenshot")));
+        screenshots = std::make_unique<Screenshots>(session.workspace(), window, parser.value(QStringLiteral("screenshot")));
         QObject::connect(screenshots.get(), &Screenshots::done, &application, [](bool saved) { QCoreApplication::exit(saved ? 0 : 1); });
         QTimer::singleShot(50, screenshots.get(), &Screenshots::start);
     }

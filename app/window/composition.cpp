@@ -2,6 +2,7 @@
 
 #include "app/window/outputpanel.h"
 #include "editors/axis/register.h"
+#include "editors/commissioning/register.h"
 #include "editors/controller/register.h"
 #include "editors/log/register.h"
 #include "editors/network/register.h"
@@ -24,6 +25,7 @@ void registerEverything(Registry& registry, ActionCatalogue& actions)
         [](Context& context) -> Panel* { return new OutputPanel(context); }});
     registerControllerEditor(registry, actions);
     registerAxisEditor(registry, actions);
+    registerCommissioning(registry, actions);
     registerNetworkEditor(registry, actions);
     registerVariablesEditor(registry, actions);
     registerWatch(registry, actions);

@@ -35,7 +35,15 @@ EditorArea::EditorArea(Context& context, QWidget* parent) : QWidget(parent), m_c
     m_row->addWidget(m_bar, 1);
     column->addWidget(strip);
     m_pages = new QStackedWidget(this);
-    m_pages->setProperty("surface", "plain");
+    const auto ground = [this] {
+        // Pages in scroll areas fill themselves with the window colour: here that is the surface.
+        QPalette pages = theme().palette();
+        pages.setColor(QPalette::Window, theme().color(Role::Surface));
+        m_pages->setPalette(pages);
+        m_pages->setAutoFillBackground(true);
+    };
+    ground();
+    connect(&theme(), &Theme::changed, m_pages, ground);
     auto* empty = new EmptyState(QStringLiteral("programs"), tr("Open an object from the project tree, or press Ctrl+P to find one."));
     m_pages->addWidget(empty);
     column->addWidget(m_pages, 1);

@@ -126,7 +126,9 @@ void PanelStack::setExtraPage(QWidget* page, const QString& name)
 void PanelStack::becameCurrent()
 {
     if (m_rowWidget) {
+        // Back to its panel, else it would stand in the strip as soon as the panel shows its children.
         m_row->removeWidget(m_rowWidget);
+        m_rowWidget->setParent(m_rowOwner);
         m_rowWidget->hide();
         m_rowWidget = nullptr;
     }
@@ -136,6 +138,7 @@ void PanelStack::becameCurrent()
     } else if (Panel* shown = panel(currentId())) {
         m_pages->setCurrentWidget(shown);
         m_rowWidget = shown->tabRowWidget();
+        m_rowOwner = shown;
         if (m_rowWidget) {
             m_row->addWidget(m_rowWidget);
             m_rowWidget->show();

@@ -44,6 +44,7 @@ private:
     QTabBar* m_bar;
     QHBoxLayout* m_row;
     QWidget* m_rowWidget = nullptr;
+    Panel* m_rowOwner = nullptr;
     QStackedWidget* m_pages;
     QWidget* m_extra = nullptr;
 };

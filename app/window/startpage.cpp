@@ -158,7 +158,7 @@ QWidget* StartPage::hero()
     text->addSpacing(20);
     auto* go = new QHBoxLayout;
     go->setSpacing(12);
-    auto* button = new QPushButton(icon(QStringLiteral("run"), Role::OnAccent), tr("Open the demo machine"), left);
+    auto* button = new QPushButton(icon(QStringLiteral("run"), Role::OnAccent), QLatin1Char(' ') + tr("Open the demo machine"), left);
     describe(button, "openDemo", tr("Open the demo machine"), tr("Opens a machine with two simulated axes and connects to its virtual controller."));
     makePrimary(button);
     button->setStyleSheet(QStringLiteral("QPushButton { min-height: 34px; max-height: 34px; padding: 0 16px; }"));

@@ -62,7 +62,7 @@ ToolRow::ToolRow(Context& context, Connection& connection, Settings& settings, Q
         tr("<b>Controller's address</b><br>local: the virtual controller of this project. tcp://HOST[:PORT]: a controller on the network."));
     m_address->setEditable(true);
     m_address->setInsertPolicy(QComboBox::NoInsert);
-    m_address->setFixedWidth(236);
+    m_address->setFixedWidth(256);
     m_address->lineEdit()->setFont(theme().monoFont());
     m_address->lineEdit()->setTextMargins(14, 0, 0, 0);
     m_lamp = new QLabel(m_address);
