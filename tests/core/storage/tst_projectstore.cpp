@@ -109,8 +109,9 @@ TEST(ProjectStoreTest, aCopyIsEqualByteForByteAlsoWhereItWasWrittenByHand)
     const LoadedProject loaded = open(files);
     ASSERT_TRUE(createProject(files, "/q", loaded.project, loaded.files).ok());
     for (const auto& [path, text] : visible(files)) {
-        if (path.starts_with("/p/"))
+        if (path.starts_with("/p/")) {
             EXPECT_EQ(files.files.at("/q" + path.substr(2)), text) << path;
+        }
     }
 }
 

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <cstdlib>
 #include <filesystem>
 #include <random>
@@ -311,7 +312,8 @@ TEST(SaveTest, killedInTheMiddleOfASaveTheProjectIsOldOrNew)
         char byte = 0;
         ASSERT_EQ(::read(ends[0], &byte, 1), 1);
         ::close(ends[0]);
-        for (volatile unsigned spin = random() % 3000000; spin > 0; spin = spin - 1) // a random instant without a clock
+        std::atomic<unsigned> spin = 1 + static_cast<unsigned>(random() % 1000000); // a random instant without a clock
+        while (spin.fetch_sub(1) > 1)
             continue;
         ::kill(child, SIGKILL);
         int status = 0;
