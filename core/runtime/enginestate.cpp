@@ -9,6 +9,9 @@ namespace {
 constexpr std::uint32_t kMagic = 0x54535743; // "CWST"
 constexpr std::uint32_t kVersion = 1;
 
+/// Three hundred years of milliseconds still fit the nanoseconds of Time, and nothing overflows near them.
+constexpr std::uint64_t kMostCycles = 9'000'000'000'000;
+
 void putRef(ByteWriter& writer, const ValueRef& ref)
 {
     writer.put(ref.source);
@@ -96,7 +99,7 @@ bool ControllerEngine::Impl::restore(ByteReader& reader)
         traceRefs.push_back(getRef(reader));
     if (reader.getBool())
         triggerRef = getRef(reader);
-    if (!reader.ok() || state > RunState::Error)
+    if (!reader.ok() || state > RunState::Error || cycle > kMostCycles || static_cast<std::uint64_t>(now / kMotionCycle) != cycle)
         return false;
     traceRow.assign(traceRefs.size(), 0.0);
     if (!pendingBytes.empty()) {

@@ -7,7 +7,9 @@ namespace camwright {
 
 namespace {
 
-std::unique_ptr<MotionSystem> makeMotion(const std::shared_ptr<const ControllerImage>& image, std::uint64_t seed, ControllerLog& log, Time now)
+using ImagePtr = std::shared_ptr<const ControllerImage>;
+
+std::unique_ptr<MotionSystem> makeMotion(const ImagePtr& image, std::uint64_t seed, ControllerLog& log, Time now)
 {
     if (image->target.family == "kinco")
         return std::make_unique<kinco::KincoMotion>(image, seed, log, now);

@@ -8,8 +8,10 @@ namespace camwright::kinco {
 namespace {
 
 constexpr std::array<PinTable, 9> kTables{{
-    {.instruction = InstructionId::KincoMcRparas, .exec = 0, .axis = 1, .count = 3, .ids = 2, .cells = 7, .done = 4, .error = 5, .errorId = 6},
-    {.instruction = InstructionId::KincoMcWparas, .exec = 0, .axis = 1, .count = 4, .ids = 2, .cells = 3, .done = 5, .error = 6, .errorId = 7},
+    {.instruction = InstructionId::KincoMcRparas, .exec = 0, .axis = 1, .count = 3, .ids = 2, .cells = 7, .done = 4,
+        .error = 5, .errorId = 6},
+    {.instruction = InstructionId::KincoMcWparas, .exec = 0, .axis = 1, .count = 4, .ids = 2, .cells = 3, .done = 5,
+        .error = 6, .errorId = 7},
     {.instruction = InstructionId::KincoMcPower, .exec = 0, .axis = 1, .done = 2, .error = 3, .errorId = 4},
     {.instruction = InstructionId::KincoMcReset, .exec = 0, .axis = 1, .done = 2, .error = 3, .errorId = 4},
     {.instruction = InstructionId::KincoMcHome, .exec = 0, .axis = 1, .position = 2, .time = 3, .done = 4, .error = 5, .errorId = 6},

@@ -27,6 +27,8 @@ void MotionCall::proceed(CallContext& context)
         return;
     if (!context.inputs.enabled && !m_ending)
         stopAndFinish(ErrorId::None);
+    if (!m_ending && axis().master().sendBlocked(axis().node()))
+        stopAndFinish(ErrorId::SendBufferFull);
     if (!m_ending)
         move(context);
     else if (axis().motion().isStanding())

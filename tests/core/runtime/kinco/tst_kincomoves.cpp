@@ -341,5 +341,37 @@ TEST_F(KincoMovesTest, ALostNodeEndsTheMotionWithErrorOne)
     EXPECT_EQ(bench.state(), 1);
 }
 
+// KS-MC-10 ERRID 4: nobody acknowledges, so the send buffer fills
+TEST_F(KincoMovesTest, AFullSendBufferEndsTheMotionWithErrorFour)
+{
+    powered();
+    bench.set("%VR20", 600);
+    bench.setBit("%M6.0");
+    bench.step(200ms);
+    for (std::uint16_t axis : {0, 1})
+        ASSERT_TRUE(bench.engine().apply(input::InjectFault{axis, input::InjectedFault::NodeLoss}));
+    for (int i = 0; i < 400 && bench.number("%MB7") == 0; ++i) {
+        bench.set("%VR20", 600 + i);
+        bench.step(1ms);
+    }
+    EXPECT_EQ(bench.number("%MB7"), 4);
+}
+
+// KS-MC-08: restarting the controller reconnects
+TEST_F(KincoMovesTest, SwitchingOffAndOnBringsALostNodeBack)
+{
+    powered();
+    ASSERT_TRUE(bench.engine().apply(input::InjectFault{0, input::InjectedFault::NodeLoss}));
+    ASSERT_TRUE(bench.stepUntil([&] { return bench.state() == 1; }, 10s));
+    ASSERT_TRUE(bench.engine().apply(input::InjectFault{0, input::InjectedFault::None}));
+    ASSERT_TRUE(bench.engine().apply(input::PowerCycle{}));
+    bench.step(2s);
+    EXPECT_TRUE(bench.engine().status().axes[0].online);
+    EXPECT_EQ(bench.state(), 0);
+    EXPECT_EQ(bench.engine().status().state, RunState::Run);
+    bench.setBit("%M0.0");
+    EXPECT_TRUE(bench.stepUntil([&] { return bench.state() == 2; }, 1s));
+}
+
 } // namespace
 } // namespace camwright
