@@ -3,6 +3,7 @@
 #include "editors/commissioning/numbers.h"
 #include "editors/commissioning/plainfield.h"
 #include "editors/shell/quantityfield.h"
+#include "editors/shell/theme.h"
 #include "editors/shell/widgets.h"
 
 #include <QHBoxLayout>
@@ -109,7 +110,9 @@ QWidget* JogPad::buildCap()
     m_slider->setValue(FirstCapPercent);
     m_slider->setMinimumWidth(80);
     m_percent = new QLabel(holder);
-    m_percent->setFont(theme().monoFont());
+    QFont bold = theme().monoFont();
+    bold.setWeight(QFont::DemiBold);
+    m_percent->setFont(bold);
     m_percent->setObjectName(QStringLiteral("capPercent"));
     m_capText = new QLabel(holder);
     m_capText->setProperty("tone", "dim");
@@ -247,7 +250,7 @@ void JogPad::refresh()
         m_buttons[static_cast<std::size_t>(index)]->setCaption(glyphs[index], QStringLiteral("%1 %2").arg(shownNumber(size, size < 10 ? 2 : 1), unit), QStringLiteral("F%1").arg(index + 1));
     }
     const double share = m_maximum > 0 ? m_cap / m_maximum * 100 : 0;
-    m_percent->setText(QStringLiteral("<b>%1 %</b>").arg(shownNumber(share, share < 1 && share > 0 ? 1 : 0)));
+    m_percent->setText(QStringLiteral("%1 %").arg(shownNumber(share, share < 1 && share > 0 ? 1 : 0)));
     m_capText->setText(QStringLiteral("%1 %2").arg(shownNumber(m_cap, 1), unit));
     m_hint->setText(isStepping() ? tr("each press moves one step") : tr("hold to run, release to stop"));
     m_stepHolder->setVisible(isStepping());

@@ -39,8 +39,8 @@ struct StateDiagram::Geometry {
     {
         const double w = size.width() - 1, h = size.height() - 1;
         moving = QRectF(0.5, 0.5, w * 0.43, h);
-        const double inner = moving.width() - 24;
-        const auto left = [&](double y) { return QRectF(moving.left() + 12, h * y - BoxHeight / 2.0, inner, BoxHeight); };
+        const double side = w < 340 ? 8 : 12, inner = moving.width() - 2 * side;
+        const auto left = [&](double y) { return QRectF(moving.left() + side, h * y - BoxHeight / 2.0, inner, BoxHeight); };
         discrete = left(0.22);
         continuous = left(0.47);
         homing = left(0.78);

@@ -31,7 +31,7 @@ public:
     void setCurrent(int current, int previous, bool isMoving);
     int current() const { return m_current; }
     QSize sizeHint() const override { return {364, 268}; }
-    QSize minimumSizeHint() const override { return {310, 236}; }
+    QSize minimumSizeHint() const override { return {296, 236}; }
 
 protected:
     void paintEvent(QPaintEvent* event) override;
