@@ -20,6 +20,7 @@ CAMWRIGHT_CODE(StatementBeforeNetwork, "CW3015", Warning, CW_TEXT("Diagnostics",
 CAMWRIGHT_CODE(NetworkNumber, "CW3016", Warning, CW_TEXT("Diagnostics", "This network is numbered %1, the next number is %2."))
 CAMWRIGHT_CODE(TextAfterEnd, "CW3017", Warning, CW_TEXT("Diagnostics", "What follows END is not part of the program. Move it above END, or remove it."))
 CAMWRIGHT_CODE(TooManyDiagnostics, "CW3018", Error, CW_TEXT("Diagnostics", "There are more than %1 problems in this program; the others are not listed. Mend the first ones and check again."))
+CAMWRIGHT_CODE(TooManyWarnings, "CW3020", Warning, CW_TEXT("Diagnostics", "There are more than %1 warnings in this program; the others are not listed."))
 
 CAMWRIGHT_CODE(RungNeedsLoad, "CW3101", Error, CW_TEXT("Diagnostics", "%1 has no power flow in front of it. A rung begins with %2."))
 CAMWRIGHT_CODE(SecondLoad, "CW3102", Error, CW_TEXT("Diagnostics", "A network has one %1. Begin a new network here, or use AND and OR."))

@@ -16,6 +16,14 @@ void DiagnosticSink::add(Diagnostic diagnostic)
 {
     if (m_out.size() > MaximumDiagnostics)
         return;
+    if (diagnostic.severity() != Severity::Error && m_out.size() >= MaximumWarnings) {
+        const auto warnings = static_cast<std::size_t>(std::count_if(m_out.begin(), m_out.end(),
+            [](const Diagnostic& d) { return d.severity() != Severity::Error; }));
+        if (warnings > MaximumWarnings)
+            return;
+        if (warnings == MaximumWarnings)
+            diagnostic = camwright::diagnostic(Code::TooManyWarnings, {std::to_string(MaximumWarnings)}, diagnostic.place);
+    }
     if (m_out.size() == MaximumDiagnostics) {
         m_out.push_back(camwright::diagnostic(Code::TooManyDiagnostics, {std::to_string(MaximumDiagnostics)}, diagnostic.place));
         return;

@@ -11,8 +11,10 @@ namespace camwright {
 
 /// Diagnostics a stage collects before it says that there are more.
 inline constexpr std::size_t MaximumDiagnostics = 300;
+/// Of these at most so many that are no errors: a program with many warnings can still be built.
+inline constexpr std::size_t MaximumWarnings = 100;
 
-/// Collects the diagnostics of one object up to MaximumDiagnostics, then adds one that says so.
+/// Collects the diagnostics of one object up to the limits above, then adds one that says so.
 class DiagnosticSink {
 public:
     DiagnosticSink(Diagnostics& out, ObjectKey object) : m_out(out), m_object(std::move(object)) {}

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 using namespace camwright;
 using namespace camwright::test;
 
@@ -92,6 +94,20 @@ TEST(ProjectRulesTest, warnsOfACoilInTwoRungs)
 {
     const std::string text = "(* Network 0 *)\nLD %M0.0\nST %Q0.0\nST %Q0.0\n(* Network 1 *)\nLD %M0.1\nST %Q0.0\nS %Q0.1\n(* Network 2 *)\nLD %M0.2\nR %Q0.1\n";
     EXPECT_EQ(codesOf(check(ks101m(), text).diagnostics), "CW3505@7:4");
+}
+
+TEST(ProjectRulesTest, buildsAProgramOfManyWarnings)
+{
+    std::string text;
+    for (int i = 0; i < 500; ++i)
+        text += "(* Network 7 *)\nLD %M0.0\nST %M0.1\n";
+    const CheckedSources checked = check(ks101m(), text);
+    EXPECT_TRUE(checked.programs);
+    EXPECT_FALSE(hasErrors(checked.diagnostics));
+    EXPECT_EQ(std::count_if(checked.diagnostics.begin(), checked.diagnostics.end(), [](const Diagnostic& d) { return d.code == Code::TooManyWarnings; }), 1);
+    const CheckedSources broken = check(ks101m(), text + "(* Network 7 *)\nLD %M0.0\nMOVE 5\n");
+    EXPECT_TRUE(hasErrors(broken.diagnostics)) << "an error is listed among the warnings";
+    EXPECT_FALSE(broken.programs);
 }
 
 TEST(ProjectRulesTest, checksOneProgramAloneWhileTyping)
