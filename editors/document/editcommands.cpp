@@ -11,11 +11,6 @@ namespace camwright {
 
 namespace {
 
-QString translate(const char* text)
-{
-    return QCoreApplication::translate("Commands", text);
-}
-
 QString quoted(const std::string& name)
 {
     return QString::fromStdString(name);
@@ -54,7 +49,7 @@ bool editText(ProjectDocument& document, const ObjectKey& program, std::size_t o
         return false;
     std::string removed = content->source.substr(offset, length);
     ProjectEdit edit;
-    edit.label = translate("Edit program \"%1\"").arg(quoted(program.name));
+    edit.label = QCoreApplication::translate("Commands", "Edit program \"%1\"").arg(quoted(program.name));
     edit.properties.insert("source");
     edit.place = placeIn(content->source, program, offset);
     edit.mergeKey = QStringLiteral("text:") + quoted(program.name);
@@ -74,7 +69,7 @@ ObjectKey addObject(ProjectDocument& document, Object object)
     object.order = document.project().nextOrder(object.key.kind);
     const ObjectKey key = object.key;
     ProjectEdit edit;
-    edit.label = translate("Add \"%1\"").arg(quoted(key.name));
+    edit.label = QCoreApplication::translate("Commands", "Add \"%1\"").arg(quoted(key.name));
     edit.deltas.push_back(ObjectDelta{key, nullptr, std::make_shared<const Object>(std::move(object))});
     edit.place = Place{key, {}, {}, {}};
     document.push(std::move(edit));
@@ -90,7 +85,7 @@ bool removeObjects(ProjectDocument& document, std::span<const ObjectKey> keys)
             edit.place = Place{key, {}, {}, {}};
         }
     }
-    edit.label = edit.deltas.size() == 1 ? translate("Delete \"%1\"").arg(quoted(keyOf(edit.deltas.front()).name))
+    edit.label = edit.deltas.size() == 1 ? QCoreApplication::translate("Commands", "Delete \"%1\"").arg(quoted(keyOf(edit.deltas.front()).name))
                                          : QCoreApplication::translate("Commands", "Delete %n objects", nullptr, int(edit.deltas.size()));
     return document.push(std::move(edit));
 }
@@ -129,7 +124,7 @@ Result<void> renameObject(ProjectDocument& document, const ObjectKey& key, const
     Object after = *before;
     after.key.name = name;
     ProjectEdit edit;
-    edit.label = translate("Rename \"%1\" to \"%2\"").arg(quoted(key.name), quoted(name));
+    edit.label = QCoreApplication::translate("Commands", "Rename \"%1\" to \"%2\"").arg(quoted(key.name), quoted(name));
     edit.place = Place{after.key, "name", {}, {}};
     edit.deltas.push_back(ObjectDelta{key, before, nullptr});
     edit.deltas.push_back(ObjectDelta{after.key, nullptr, std::make_shared<const Object>(after)});

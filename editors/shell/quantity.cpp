@@ -20,12 +20,17 @@ struct Unit {
 };
 
 constexpr double Pi = 3.14159265358979323846;
-constexpr std::array<Unit, 24> Units = {{
+constexpr std::array<Unit, 41> Units = {{
     {"mm", 'l', 1}, {"cm", 'l', 10}, {"m", 'l', 1000}, {"um", 'l', 0.001}, {"µm", 'l', 0.001}, {"nm", 'l', 1e-6},
     {"in", 'l', 25.4}, {"inch", 'l', 25.4}, {"\"", 'l', 25.4}, {"ft", 'l', 304.8},
     {"°", 'a', 1}, {"deg", 'a', 1}, {"degree", 'a', 1}, {"rad", 'a', 180 / Pi},
     {"ms", 't', 1}, {"s", 't', 1000}, {"us", 't', 0.001}, {"µs", 't', 0.001}, {"min", 't', 60000}, {"h", 't', 3600000},
     {"Hz", 'f', 1}, {"kHz", 'f', 1000}, {"bit/s", 'b', 1}, {"kbit/s", 'b', 1000},
+    // As Russian fields show them and Russian keyboards type them.
+    {"мм", 'l', 1}, {"см", 'l', 10}, {"м", 'l', 1000}, {"мкм", 'l', 0.001}, {"нм", 'l', 1e-6}, {"дюйм", 'l', 25.4},
+    {"град", 'a', 1}, {"рад", 'a', 180 / Pi},
+    {"мс", 't', 1}, {"с", 't', 1000}, {"мкс", 't', 0.001}, {"мин", 't', 60000}, {"ч", 't', 3600000},
+    {"Гц", 'f', 1}, {"кГц", 'f', 1000}, {"бит/с", 'b', 1}, {"кбит/с", 'b', 1000},
 }};
 
 const Unit* findUnit(const QString& name)
@@ -43,13 +48,14 @@ const Unit* findUnit(const QString& name)
 
 bool isTurn(const QString& name)
 {
-    return name == QLatin1String("turn") || name == QLatin1String("turns") || name == QLatin1String("rev") || name == QLatin1String("U");
+    return name == QLatin1String("turn") || name == QLatin1String("turns") || name == QLatin1String("rev") || name == QLatin1String("U")
+        || name == QStringLiteral("об");
 }
 
 /// How many `wanted` one `typed` is; nothing when they measure different things.
 std::optional<double> simpleFactor(const QString& typed, const QString& wanted, double perTurn)
 {
-    if (typed == wanted)
+    if (typed == wanted || (isTurn(typed) && isTurn(wanted)))
         return 1;
     const Unit* to = findUnit(wanted);
     if (isTurn(typed)) {

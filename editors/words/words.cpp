@@ -1,11 +1,18 @@
 #include "editors/words/words.h"
 
 #include <QCoreApplication>
+#include <QLibraryInfo>
 #include <QLocale>
 #include <QTranslator>
 
 #include <memory>
 #include <vector>
+
+/// A static library's resources are linked in only where they are asked for; the macro works outside namespaces alone.
+static void registerTranslations()
+{
+    Q_INIT_RESOURCE(camwright_translations);
+}
 
 namespace camwright::words {
 
@@ -37,6 +44,12 @@ QString fieldWords(const std::string& field)
             out.chop(qsizetype(qstrlen(unit)));
     }
     return out.replace(QLatin1Char('_'), QLatin1Char(' '));
+}
+
+/// The suffix of Qt's own translation files.
+QString qtName(const QString& language)
+{
+    return language == QLatin1String("zh") ? QStringLiteral("zh_CN") : language;
 }
 
 } // namespace
@@ -110,14 +123,22 @@ QString languageName(const QString& language)
 
 bool setLanguage(QCoreApplication& application, const QString& language, const QString& directory)
 {
-    Installed& state = installed();
-    std::vector<std::unique_ptr<QTranslator>> fresh;
+    if (directory.isEmpty())
+        registerTranslations();
     const QString folder = directory.isEmpty() ? QStringLiteral(":/translations") : directory;
+    const bool isEnglish = language == QLatin1String("en");
+    std::vector<std::unique_ptr<QTranslator>> fresh; // the last one is asked first
+    if (!isEnglish) {
+        auto ofQt = std::make_unique<QTranslator>();
+        if (ofQt->load(QStringLiteral("qtbase_") + qtName(language), QLibraryInfo::path(QLibraryInfo::TranslationsPath)))
+            fresh.push_back(std::move(ofQt));
+    }
     auto ours = std::make_unique<QTranslator>();
     if (ours->load(QStringLiteral("camwright_") + language, folder))
         fresh.push_back(std::move(ours));
-    else if (language != QLatin1String("en")) // the English file holds only plural forms
+    else if (!isEnglish)
         return false;
+    Installed& state = installed();
     for (const auto& old : state.translators)
         application.removeTranslator(old.get());
     state.translators = std::move(fresh);

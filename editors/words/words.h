@@ -27,8 +27,9 @@ QString placeText(const Place& place);
 QStringList languages();
 /// The language's own name: "English", "中文", "Русский".
 QString languageName(const QString& language);
-/// Loads the translation files of `language` from `directory` (or the resource ":/translations") and installs them; English
-/// has a file for its plural forms only. False when the language has no file, English stays then.
+/// Loads the translation file of `language` from `directory` (or the resource ":/translations", which this library carries)
+/// and installs it in place of the earlier one, with Qt's own texts where the system has them. The English file holds the
+/// forms of counts only. False when the language has no file; the current language stays then.
 bool setLanguage(QCoreApplication& application, const QString& language, const QString& directory = {});
 QString currentLanguage();
 /// What the system asks for, as one of languages(); English when it is none of them.

@@ -59,6 +59,9 @@ private slots:
         QTest::newRow("own unit") << "7 mm" << "mm" << 0.0 << 7.0;
         QTest::newRow("exponent") << "1e3" << "mm" << 0.0 << 1000.0;
         QTest::newRow("grouped digits") << "8 388 608" << "pulses" << 0.0 << 8388608.0;
+        QTest::newRow("Russian unit") << "2 с" << "мс" << 0.0 << 2000.0;
+        QTest::newRow("Russian field, Latin rate") << "6 m/min" << "мм/с" << 0.0 << 100.0;
+        QTest::newRow("rpm in a Russian field") << "60 rpm" << "об/мин" << 0.0 << 60.0;
         QTest::newRow("minus sign") << "−4" << "mm" << 0.0 << -4.0;
     }
 
