@@ -1,13 +1,97 @@
+#include "core/family/family.h"
 #include "editors/words/words.h"
 
 #include <QtTest>
 
+#include <set>
+
 using namespace camwright;
+
+namespace {
+
+QCoreApplication& application()
+{
+    return *QCoreApplication::instance();
+}
+
+/// The place marks of a text: {"%1", "%2"}.
+std::set<QString> marks(const QString& text)
+{
+    static const QRegularExpression mark("%[1-9]");
+    std::set<QString> out;
+    for (auto it = mark.globalMatch(text); it.hasNext();)
+        out.insert(it.next().captured());
+    return out;
+}
+
+bool hasLettersOf(const QString& language, const QString& text)
+{
+    static const QRegularExpression han("\\p{Han}"), cyrillic("\\p{Cyrillic}");
+    return text.contains(language == "zh" ? han : cyrillic);
+}
+
+} // namespace
 
 class WordsTest : public QObject {
     Q_OBJECT
 
 private slots:
+    void cleanup() { words::setLanguage(application(), "en"); }
+
+    void everyDiagnosticIsTranslated_data() { translatedLanguages(); }
+    void everyDiagnosticIsTranslated()
+    {
+        QFETCH(QString, language);
+        QVERIFY(words::setLanguage(application(), language));
+        for (const CodeInfo& info : allCodes()) {
+            const QString english = QString::fromUtf8(info.text.data(), qsizetype(info.text.size()));
+            const QString translated = QCoreApplication::translate("Diagnostics", english.toUtf8().constData());
+            QVERIFY2(hasLettersOf(language, translated), info.id.data());
+            QCOMPARE(marks(translated), marks(english));
+        }
+    }
+
+    void helpOfEveryInstructionIsTranslated()
+    {
+        for (const Family* family : families()) {
+            for (const Instruction& instruction : family->catalogue().instructions()) {
+                QVERIFY2(hasLettersOf("zh", QString::fromStdString(instruction.help.zh)), instruction.mnemonic.c_str());
+                QVERIFY2(hasLettersOf("ru", QString::fromStdString(instruction.help.ru)), instruction.mnemonic.c_str());
+                for (const Pin& pin : instruction.pins)
+                    QVERIFY2(pin.help.isComplete(), (instruction.mnemonic + " " + pin.name).c_str());
+            }
+        }
+    }
+
+    void sentencesComeInChineseAndRussian()
+    {
+        const Diagnostic value = diagnostic(Code::NotAValue, {"12x", "INT", "42"});
+        QVERIFY(words::setLanguage(application(), "zh"));
+        QCOMPARE(words::sentence(value), QString("“12x”不是 INT 类型的值。写法示例：42。"));
+        QVERIFY(words::setLanguage(application(), "ru"));
+        QCOMPARE(words::sentence(value), QString("«12x» не является значением типа INT. Пишите так: 42."));
+        QCOMPARE(words::placeText({{ObjectKind::Program, "Main"}, "source", {4, 7, 4, 9}, {}}), QString("Main, строка 4, столбец 7"));
+    }
+
+    void countsTakeTheFormsOfEachLanguage()
+    {
+        const auto ports = [](int count) { return QCoreApplication::translate("camwright::NewProjectDialog", "%n CAN ports", nullptr, count); };
+        QVERIFY(words::setLanguage(application(), "en"));
+        QCOMPARE(ports(1), QString("1 CAN port"));
+        QCOMPARE(ports(2), QString("2 CAN ports"));
+        QVERIFY(words::setLanguage(application(), "ru"));
+        QCOMPARE(ports(1), QString("1 порт CAN"));
+        QCOMPARE(ports(3), QString("3 порта CAN"));
+        QCOMPARE(ports(11), QString("11 портов CAN"));
+    }
+
+    void englishComesBack()
+    {
+        QVERIFY(words::setLanguage(application(), "ru"));
+        QVERIFY(words::setLanguage(application(), "en"));
+        QCOMPARE(words::kindWord(ObjectKind::Axis), QString("axis"));
+    }
+
     void sentenceFillsTheArguments()
     {
         const Diagnostic value = diagnostic(Code::NotAValue, {"12x", "INT", "42"});
@@ -43,6 +127,14 @@ private slots:
     void emptyTranslationFallsBackToEnglish()
     {
         QCOMPARE(words::pick("axis", "", ""), QString("axis"));
+    }
+
+private:
+    static void translatedLanguages()
+    {
+        QTest::addColumn<QString>("language");
+        QTest::newRow("Chinese") << "zh";
+        QTest::newRow("Russian") << "ru";
     }
 };
 
