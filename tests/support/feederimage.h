@@ -3,7 +3,6 @@
 #include "core/family/family.h"
 #include "core/family/kinco/kincoareas.h"
 #include "core/language/image/controllerimage.h"
-#include "core/language/lowering/memorylayout.h"
 #include "tests/core/runtime/executor/irbuilder.h"
 
 namespace camwright::test {
@@ -19,11 +18,13 @@ inline ControllerImage feederImage(std::uint32_t variant = 0, std::size_t payloa
     const ControllerModel& model = *family.findModel(image.target.model);
     const Symbol retained{"Pieces", valueAddress(VariablesArea, 0, DataType::Dint), true};
     const Symbol count{"Count", valueAddress(kinco::V, 0, DataType::Dint), false};
-    PlacedVariables variables;
-    variables.symbols = {count, retained};
-    variables.bytes = variables.retainedBytes = 4;
-    image.layout = memoryLayout(family, model, variables, 1);
-    image.symbols = variables.symbols;
+    image.layout.areas.clear();
+    for (const MemoryArea& area : family.areas()) {
+        const AreaLayout& size = model.area(area.id);
+        image.layout.areas.push_back({area.id, area.name, size.bytes, size.retainedFirst, size.retainedEnd});
+    }
+    image.layout.areas.push_back({VariablesArea, {}, 4, 0, 4});
+    image.symbols = {count, retained};
 
     const IrRegister next = b.op(IrOp::Add, Dint, b.load(Dint, byteAt(0, kinco::V)), b.constant(Dint, 1));
     b.store(Dint, byteAt(0, kinco::V), next);
