@@ -59,6 +59,7 @@ Server::Server(ControllerHost& host, ServerOptions options)
                 m_host.deliver();
             }, Qt::QueuedConnection);
     });
+    m_host.deliver(); // the state at the start: the first client must not find an empty one
     connect(m_watch.get(), &QTimer::timeout, this, &Server::watchClients);
     m_watch->start(WatchPeriodMs);
 }
