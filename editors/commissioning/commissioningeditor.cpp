@@ -50,6 +50,7 @@ CommissioningEditor::CommissioningEditor(Context& context, ObjectKey key, QWidge
         m_state->forget();
         m_readings->resetPeaks();
         m_motion->say({});
+        refresh();
     });
     refresh();
 }

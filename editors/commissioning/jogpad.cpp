@@ -55,12 +55,12 @@ QWidget* JogPad::buildHead()
     m_mode->addSegment(tr("Step"), {}, tr("Each press moves the axis by the step size."));
     m_hint = new QLabel(head);
     m_hint->setProperty("tone", "caption");
+    m_hint->setWordWrap(true);
     m_step = new QuantityField(named(tr("Step size")), head);
     m_step->setObjectName(QStringLiteral("stepSize"));
     row->addWidget(title);
     row->addWidget(m_mode);
-    row->addWidget(m_hint);
-    row->addStretch();
+    row->addWidget(m_hint, 1);
     m_stepHolder = new PlainField(m_step, FieldWidth, head);
     m_stepHolder->setFixedWidth(FieldWidth);
     row->addWidget(m_stepHolder);

@@ -74,10 +74,13 @@ void TravelBar::paintScale(QPainter& painter) const
 {
     const QRectF frame(0.5, BarTop + 0.5, width() - 1, BarHeight - 1);
     painter.setPen(Qt::NoPen);
-    painter.setBrush(QBrush(theme().color(Role::Faint), Qt::BDiagPattern));
-    painter.drawRoundedRect(frame, 3, 3);
     painter.setBrush(theme().color(Role::Raised));
-    painter.drawRect(QRectF(x(m_travel.lower.value_or(m_range.low)), BarTop + 1, x(m_travel.upper.value_or(m_range.high)) - x(m_travel.lower.value_or(m_range.low)), BarHeight - 2));
+    painter.drawRoundedRect(frame, 3, 3);
+    painter.setBrush(QBrush(theme().color(Role::Faint), Qt::BDiagPattern));
+    if (m_travel.lower)
+        painter.drawRect(QRectF(frame.topLeft(), QPointF(x(*m_travel.lower), frame.bottom())));
+    if (m_travel.upper)
+        painter.drawRect(QRectF(QPointF(x(*m_travel.upper), frame.top()), frame.bottomRight()));
     painter.setPen(theme().color(Role::Line));
     painter.setBrush(Qt::NoBrush);
     painter.drawRoundedRect(frame, 3, 3);

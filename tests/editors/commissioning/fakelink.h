@@ -10,7 +10,7 @@
 namespace camwright {
 
 /// A link that writes down what is asked of it. Answers come when the test says so, in order, or at once with `autoAnswer`.
-class FakeLink final : public ControllerLink {
+class FakeLink : public ControllerLink {
 public:
     FakeLink()
     {

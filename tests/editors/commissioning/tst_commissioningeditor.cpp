@@ -3,6 +3,7 @@
 
 #include <QPushButton>
 #include <QSlider>
+#include <QTranslator>
 
 using namespace camwright;
 
@@ -190,8 +191,48 @@ private slots:
         }
     }
 
+    void longWordsFit();
     void pictures();
 };
+
+namespace {
+
+/// Every text half as long again, as Russian can be.
+class LongWords : public QTranslator {
+public:
+    QString translate(const char*, const char* text, const char*, int) const override
+    {
+        const QString english = QString::fromUtf8(text);
+        return english.size() < 3 ? english : english + QString(std::max<qsizetype>(1, english.size() * 2 / 5), QChar(0x0436));
+    }
+    bool isEmpty() const override { return false; }
+};
+
+} // namespace
+
+void CommissioningEditorTest::longWordsFit()
+{
+    shut();
+    LongWords words;
+    QVERIFY(qApp->installTranslator(&words));
+    open();
+    arm();
+    for (const int width : {1440, 1204, 1100}) {
+        m_window->resize(width, 600);
+        QTest::qWait(1);
+        QVERIFY2(m_window->width() == width, qPrintable(QString::number(m_window->width())));
+        m_editor->grab().save(QCoreApplication::applicationDirPath() + QStringLiteral("/../screenshots/commissioning-long-%1.png").arg(width));
+        for (const QLabel* label : m_editor->findChildren<QLabel*>()) {
+            if (label->isVisible() && !label->wordWrap() && !label->text().isEmpty())
+                QVERIFY2(label->width() + 1 >= label->sizeHint().width(), qPrintable(QString::number(width) + label->text()));
+        }
+        for (const QAbstractButton* button : m_editor->findChildren<QAbstractButton*>()) {
+            if (button->isVisible())
+                QVERIFY2(button->width() + 1 >= std::min(button->sizeHint().width(), button->minimumSizeHint().width()), qPrintable(button->text()));
+        }
+    }
+    qApp->removeTranslator(&words);
+}
 
 /// For people to look at: in motion and armed, light and dark, wide and narrow; disarmed with an error.
 void CommissioningEditorTest::pictures()
