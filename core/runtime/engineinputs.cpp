@@ -49,9 +49,9 @@ Result<void> ControllerEngine::Impl::apply(const input::Run&)
 /// The program starts once every axis is released and the bus has tried every node; often that is at once.
 void ControllerEngine::Impl::requestStart()
 {
-    if (state == RunState::Run || pending)
+    if (state == RunState::Run)
         return;
-    if (!isQuiet())
+    if (!pending && !isQuiet())
         program->motion->stopProgram();
     startPending = true;
     watchTransitions();
@@ -177,7 +177,7 @@ void ControllerEngine::Impl::switchImage()
     program = std::move(next);
     ++imageNumber;
     state = RunState::Stop;
-    runCommand = false;
+    runCommand = startPending; // a RUN that came while the switch was waiting is meant for the new program
     trace.stop();
     traceRefs.clear();
     triggerRef.reset();

@@ -154,6 +154,23 @@ TEST_F(EngineTest, ASwitchWaitsForTheAxes)
     EXPECT_EQ(state(), RunState::Stop);
 }
 
+TEST_F(EngineTest, ARunThatComesWhileTheSwitchWaitsStartsTheNewProgram)
+{
+    bench.start();
+    bench.setBit("%M4.0");
+    bench.step(500ms);
+    bench.set("%VR20", 60000);
+    bench.setBit("%M6.0");
+    bench.step(1s);
+    ASSERT_TRUE(engine().apply(input::Stop{}));
+    ASSERT_TRUE(engine().load(bench.imageBytes()));
+    ASSERT_TRUE(engine().apply(input::Run{}));
+    EXPECT_EQ(state(), RunState::Stop);
+    EXPECT_EQ(engine().load(bench.imageBytes()).error().code, Code::LoadOnlyInStop);
+    ASSERT_TRUE(bench.stepUntil([&] { return state() == RunState::Run; }, 10s));
+    EXPECT_EQ(engine().imageNumber(), 2u);
+}
+
 TEST_F(EngineTest, ADamagedImageLeavesTheOldOne)
 {
     loaded();
