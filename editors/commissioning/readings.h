@@ -8,6 +8,8 @@
 #include <array>
 #include <optional>
 
+class QGridLayout;
+
 namespace camwright {
 
 class BigDigits;
@@ -34,7 +36,7 @@ public:
 
 private:
     enum Row { SetPosition, ToTarget, Velocity, FollowingError, Torque, RowCount };
-    void buildTable(class QGridLayout* table);
+    void buildTable(QGridLayout* table);
     void showState(const AxisStatus& axis);
     void showRow(Row row, std::optional<double> value, const QString& unit, int decimals, bool hasPeak);
 
