@@ -22,6 +22,20 @@ std::string folded(std::string_view name)
     return out;
 }
 
+/// Latin beside Greek or Cyrillic, whose letters look alike.
+bool mixesAlphabets(std::string_view name)
+{
+    bool latin = false, other = false;
+    for (std::size_t at = 0; at < name.size();) {
+        const auto point = codePointAt(name, at);
+        const char32_t c = point ? point->value : 0;
+        latin = latin || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
+        other = other || (c >= 0x370 && c <= 0x52F);
+        at += point ? point->length : 1;
+    }
+    return latin && other;
+}
+
 /// The n of "rows[n].name", so that row 2 comes before row 10; 0 for other fields.
 std::size_t rowOf(std::string_view field)
 {
@@ -88,10 +102,17 @@ void ProjectCheck::checkNames()
         const Place place{key, {}, {}, {}};
         if (key.name.empty())
             report(Code::NameEmpty, {}, place);
+        checkAlphabet(place, key.name);
         const auto [first, added] = seen.emplace(std::pair(key.kind, folded(key.name)), key);
         if (!added)
             report(Code::NameTwice, {key.name}, place, Place{first->second, {}, {}, {}});
     }
+}
+
+void ProjectCheck::checkAlphabet(const Place& place, const std::string& name)
+{
+    if (mixesAlphabets(name))
+        report(Code::NameMixesAlphabets, {name}, place);
 }
 
 void ProjectCheck::checkController()
@@ -146,6 +167,18 @@ void ProjectCheck::checkPrograms()
         std::rotate(m_valid.m_programs.begin(), first, first + 1);
 }
 
+namespace {
+
+/// Letters and then digits, as every address of a name's characters: worth asking the family, which takes its time to say
+/// what is wrong with all others.
+bool looksLikeAddress(std::string_view name)
+{
+    const std::size_t digits = name.find_first_of("0123456789");
+    return digits > 0 && digits <= 3 && name.find_first_not_of("0123456789", digits) == std::string_view::npos;
+}
+
+} // namespace
+
 /// A letter first, then letters, digits or _ (TS-VAR-03; the same for Kinco, whose sheets are silent; _ first is refused
 /// on TS600, where system variables begin with it).
 bool ProjectCheck::isIdentifier(const std::string& name) const
@@ -164,7 +197,8 @@ bool ProjectCheck::isIdentifier(const std::string& name) const
     static constexpr std::string_view Reserved[] = {"true", "false", "on", "off", "null", "array", "struct", "at", "retain", "var_global", "end_var"};
     const std::string word = folded(name);
     return !name.empty() && std::find(std::begin(Reserved), std::end(Reserved), word) == std::end(Reserved) && !dataTypeByName(name)
-        && !m_valid.m_family->catalogue().find(name) && !m_valid.m_family->parseAddress(name, *m_valid.m_model, AddressMode::Typed);
+        && !m_valid.m_family->catalogue().find(name)
+        && !(looksLikeAddress(name) && m_valid.m_family->parseAddress(name, *m_valid.m_model, AddressMode::Typed));
 }
 
 Validation validate(const Project& project)

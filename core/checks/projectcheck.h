@@ -17,6 +17,7 @@ public:
 
 private:
     void checkNames();
+    void checkAlphabet(const Place& place, const std::string& name);
     void checkController();
     void checkAxes();
     void checkAxisNumbers();

@@ -110,6 +110,7 @@ void ProjectCheck::checkVariableName(const Place& place, const std::string& name
     }
     if (m_valid.m_model && !isIdentifier(name))
         report(Code::NameNotIdentifier, {name}, place);
+    checkAlphabet(place, name);
     const auto [first, added] = m_variableNames.emplace(foldedName(name), place);
     if (!added)
         report(Code::NameTwice, {name}, place, first->second);

@@ -51,3 +51,4 @@ CAMWRIGHT_CODE(TypeNotOffered, "CW1123", Error, CW_TEXT("Diagnostics", "%2 has n
 CAMWRIGHT_CODE(RetainWithoutEffect, "CW1124", Warning, CW_TEXT("Diagnostics", "\"%1\" is marked as retained, but its address %2 is not kept at power-off. Whether a value is kept depends on its address."))
 CAMWRIGHT_CODE(NameEmpty, "CW1125", Error, CW_TEXT("Diagnostics", "The name is empty. Give a name."))
 CAMWRIGHT_CODE(SwitchesSwapped, "CW1126", Error, CW_TEXT("Diagnostics", "The lower limit switch at %1 is not below the upper one at %2."))
+CAMWRIGHT_CODE(NameMixesAlphabets, "CW1127", Warning, CW_TEXT("Diagnostics", "\"%1\" mixes Latin letters with letters of another alphabet that look alike. Whoever types the name may not find it."))

@@ -239,6 +239,12 @@ TEST(CheckProjectTest, namesOfVariablesAreNoAddressesTypesOrInstructions) // TS-
         EXPECT_EQ(found(withVariables(ts600(), {variable(name, DataType::Bool)})), (List{"CW1111 rows[0].name"})) << name;
 }
 
+TEST(CheckProjectTest, aNameOfTwoAlphabetsThatLookAlikeIsAWarning)
+{
+    EXPECT_EQ(found(withVariables(kinco(), {variable("St\xD0\xB0rt", DataType::Bool, "%M0.0")})), (List{"CW1127 rows[0].name"}));
+    EXPECT_EQ(found(kinco("KS101M-04DX", 1).withContent({ObjectKind::Axis, "Ach\xD1\x81\xD0\xB5"}, axisNumber(2))), (List{"CW1127 "}));
+}
+
 TEST(CheckProjectTest, namesOfVariablesAreUniqueInAllTables)
 {
     Project project = withVariables(kinco(), {variable("Start", DataType::Bool, "%M0.0")});
