@@ -6,6 +6,11 @@
 
 namespace camwright {
 
+namespace {
+/// Wide enough for cycles times columns.
+__extension__ using Wide = unsigned __int128;
+} // namespace
+
 void TraceBuffer::Extremes::add(double value)
 {
     // Comparisons with NaN are false, so that NaN is left out.
@@ -205,7 +210,7 @@ namespace {
 /// First cycle of column i: the smallest c with (c − from) · count / (to − from) >= i.
 std::uint64_t columnStart(std::uint64_t from, std::uint64_t span, std::uint64_t count, std::uint64_t i)
 {
-    const auto product = static_cast<unsigned __int128>(i) * span;
+    const auto product = static_cast<Wide>(i) * span;
     return from + static_cast<std::uint64_t>((product + count - 1) / count);
 }
 
@@ -228,7 +233,7 @@ std::vector<TraceColumn> TraceBuffer::columns(std::size_t channel, std::uint64_t
         };
         const std::uint64_t span = to - from;
         std::uint64_t i = segment.firstCycle <= from ? 0
-            : static_cast<std::uint64_t>(static_cast<unsigned __int128>(segment.firstCycle - from) * count / span);
+            : static_cast<std::uint64_t>(static_cast<Wide>(segment.firstCycle - from) * count / span);
         bool startsHere = segment.firstRow > m_firstRow && segment.firstCycle >= from;
         for (; i < count; ++i) {
             const std::uint64_t begin = rowAt(columnStart(from, span, count, i));

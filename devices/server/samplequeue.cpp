@@ -24,6 +24,7 @@ void SampleQueue::add(SampleBlock block)
     m_rows += rowsOf(block);
     m_values += rowsOf(block) * block.columns.size();
     m_waiting.push_back(std::move(block));
+    m_burst = 0;
     while (m_values > MaximumValues && m_waiting.size() > 1)
         dropOldest();
 }
@@ -64,7 +65,8 @@ SampleBlock SampleQueue::cutFront(std::size_t rows)
 
 std::optional<SampleBlock> SampleQueue::next()
 {
-    if (m_waiting.empty() || m_nextSequence - m_takenSequences >= message::PiecesInFlight)
+    // In pairs: after the first of a pair is taken the second is waited for, and the time between tells the line's speed.
+    if (m_waiting.empty() || m_firstTaken || m_nextSequence - m_takenSequences >= message::PiecesInFlight)
         return std::nullopt;
     const std::size_t rowBytes = std::max<std::size_t>(m_waiting.front().columns.size(), 1) * sizeof(double);
     SampleBlock out = cutFront(std::max<std::size_t>(m_sizer.size() / rowBytes, 1));
@@ -74,9 +76,9 @@ std::optional<SampleBlock> SampleQueue::next()
     out.lostRows += m_lost;
     m_lost = 0;
     out.sequence = m_nextSequence++;
+    m_isPair = ++m_burst == message::PiecesInFlight;
     out.channels = std::move(m_channels);
     m_channels.clear();
-    m_pairInFlight = m_nextSequence - m_takenSequences == message::PiecesInFlight;
     return out;
 }
 
@@ -85,10 +87,14 @@ void SampleQueue::taken(std::uint32_t channelSet, std::uint64_t sequence, Time n
     if (channelSet != m_channelSet || sequence < m_takenSequences || sequence >= m_nextSequence)
         return;
     m_takenSequences = sequence + 1;
-    if (m_lastTaken && !m_pairInFlight)
-        m_sizer.onPair(m_lastPiece, now - *m_lastTaken);
-    m_pairInFlight = false;
-    m_lastTaken = m_takenSequences == m_nextSequence ? std::nullopt : std::optional(now);
+    m_burst = 0;
+    if (m_takenSequences != m_nextSequence) {
+        if (m_isPair)
+            m_firstTaken = now;
+    } else if (m_firstTaken) {
+        m_sizer.onPair(m_lastPiece, now - *m_firstTaken);
+        m_firstTaken.reset();
+    }
 }
 
 } // namespace camwright

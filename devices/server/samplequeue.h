@@ -33,9 +33,10 @@ private:
     std::uint64_t m_lost = 0;
     std::vector<ChannelInfo> m_channels; ///< until sent
     PieceSizer m_sizer;
-    std::size_t m_lastPiece = 0;
-    bool m_pairInFlight = false;
-    std::optional<Time> m_lastTaken;
+    std::size_t m_lastPiece = 0;       ///< bytes of the piece sent last
+    unsigned m_burst = 0;              ///< pieces sent since anything else happened
+    bool m_isPair = false;             ///< the two in flight left back to back
+    std::optional<Time> m_firstTaken;  ///< of such a pair, while its second piece is under way
 };
 
 } // namespace camwright

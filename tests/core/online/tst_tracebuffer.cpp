@@ -10,6 +10,8 @@ using namespace camwright;
 
 namespace {
 
+__extension__ using Wide = unsigned __int128;
+
 SampleBlock block(std::uint64_t sequence, std::uint64_t firstCycle, std::vector<double> values, std::uint32_t stride = 1)
 {
     SampleBlock out;
@@ -101,7 +103,7 @@ struct BruteForce {
         std::vector<TraceColumn> out(count);
         std::vector<int> segment(count, -1);
         for (auto it = samples.lower_bound(from); it != samples.end() && it->first < to; ++it) {
-            const auto i = static_cast<std::size_t>(static_cast<unsigned __int128>(it->first - from) * count / (to - from));
+            const auto i = static_cast<std::size_t>(static_cast<Wide>(it->first - from) * count / (to - from));
             const int here = segmentOf.at(it->first);
             const auto before = it == samples.begin() ? samples.end() : std::prev(it);
             const bool torn = before != samples.end() && segmentOf.at(before->first) != here;

@@ -27,7 +27,9 @@ TEST(SampleQueueTest, twoPiecesAreInFlightAndNoMore)
     ASSERT_TRUE(first && queue.next());
     EXPECT_FALSE(queue.next());
     queue.taken(3, first->sequence, 1ms);
-    EXPECT_TRUE(queue.next());
+    EXPECT_FALSE(queue.next()) << "the pair is waited for";
+    queue.taken(3, first->sequence + 1, 1ms);
+    EXPECT_TRUE(queue.next() && queue.next());
     EXPECT_FALSE(queue.next());
 }
 
@@ -67,6 +69,26 @@ TEST(SampleQueueTest, everyRowArrivesOnceInOrder)
     }
     EXPECT_EQ(cycle, 3877u);
     EXPECT_TRUE(ended);
+}
+
+TEST(SampleQueueTest, piecesGrowOnAFastLineAndShrinkOnASlowOne)
+{
+    const auto settled = [](double bytesPerSecond) {
+        SampleQueue queue;
+        queue.add(block(0, 40'000));
+        std::size_t bytes = 0;
+        Time now{};
+        for (int i = 0; i < 20; ++i) {
+            const auto first = queue.next(), second = queue.next();
+            bytes = second->columns[0].size() * 16;
+            queue.taken(3, first->sequence, now);
+            now += Time(static_cast<std::int64_t>(1e9 * static_cast<double>(bytes) / bytesPerSecond));
+            queue.taken(3, second->sequence, now);
+        }
+        return bytes;
+    };
+    EXPECT_EQ(settled(1e9), message::MaximumPiece);
+    EXPECT_EQ(settled(1e3), message::MinimumPiece);
 }
 
 TEST(SampleQueueTest, aClientTooSlowLosesTheOldestAndIsToldHowMany)
