@@ -101,12 +101,15 @@ int runWindow(int argc, char** argv)
     MainWindow& window = session.window();
     const bool demo = parser.isSet(QStringLiteral("demo"));
     const QString project = demo ? parser.value(QStringLiteral("demo")) : parser.positionalArguments().value(0);
+    const QString pictures = parser.value(QStringLiteral("screenshot"));
+    if (!pictures.isEmpty() && !project.isEmpty())
+        Screenshots::saveStartPage(window, pictures);
     if (!project.isEmpty())
         QTimer::singleShot(0, &window, [&window, project, demo] { demo ? window.runDemo(project) : void(window.openProject(project)); });
 
     std::unique_ptr<Screenshots> screenshots;
-    if (parser.isSet(QStringLiteral("screenshot"))) {
-        screenshots = std::make_unique<Screenshots>(session.workspace(), window, parser.value(QStringLiteral("screenshot")));
+    if (!pictures.isEmpty()) {
+        screenshots = std::make_unique<Screenshots>(session.workspace(), window, pictures);
         QObject::connect(screenshots.get(), &Screenshots::done, &application, [](bool saved) { QCoreApplication::exit(saved ? 0 : 1); });
         QTimer::singleShot(50, screenshots.get(), &Screenshots::start);
     }

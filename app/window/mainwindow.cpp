@@ -51,6 +51,7 @@ MainWindow::MainWindow(Workspace& workspace) : m_workspace(workspace)
     setWindowIcon(icon(QStringLiteral("cam"), Role::Accent));
     setMinimumSize(900, 560);
     resize(1440, 900);
+    restoreGeometry(workspace.settings.layout(QStringLiteral("window")));
     for (const ActionRow& row : workspace.actions.rows())
         addAction(workspace.actions.action(QString::fromLatin1(row.id)));
     build();
@@ -328,15 +329,19 @@ void MainWindow::setDefaultLayout(Layout layout)
     const bool side = layout == Layout::Configure || layout == Layout::Program;
     m_left->setVisible(true);
     m_right->setVisible(side && !m_right->isEmpty());
-    m_bottom->setVisible(layout != Layout::Analyse);
+    m_bottom->setVisible(true);
     m_across->setSizes({236, 936, 268});
-    m_down->setSizes({layout == Layout::Configure ? 720 : 600, layout == Layout::Configure ? 100 : 190});
+    const int foot[] = {100, 190, 380, 560};
+    m_down->setSizes({800 - foot[int(layout)], foot[int(layout)]});
     m_left->setSizes({600, 180});
-    m_bottom->showPanel(layout == Layout::Program ? QStringLiteral("watch") : layout == Layout::Commission ? QStringLiteral("log") : QStringLiteral("problems"));
+    const QString shown = layout == Layout::Program ? QStringLiteral("watch") : layout == Layout::Configure ? QStringLiteral("problems")
+        : m_bottom->has(QStringLiteral("trace"))    ? QStringLiteral("trace")
+                                                    : QStringLiteral("log");
+    m_bottom->showPanel(shown);
     if (!m_workspace.document.isOpen())
         return;
     if (layout == Layout::Analyse)
-        showPanel(QStringLiteral("oscilloscope"));
+        showPanel(QStringLiteral("trace"));
     if (layout != Layout::Commission)
         return;
     const auto axes = m_workspace.document.project().objects(ObjectKind::Axis);
@@ -358,6 +363,7 @@ void MainWindow::closeEvent(QCloseEvent* event)
         return;
     }
     saveLayout();
+    m_workspace.settings.setLayout(QStringLiteral("window"), saveGeometry());
     m_workspace.rememberProject();
     m_workspace.connection.disconnectNow();
     m_workspace.document.close();

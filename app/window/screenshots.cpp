@@ -30,6 +30,18 @@ Screenshots::Screenshots(Workspace& workspace, MainWindow& window, const QString
     });
 }
 
+void Screenshots::saveStartPage(MainWindow& window, const QString& directory)
+{
+    QDir().mkpath(directory);
+    const Theme::Kind first = theme().kind();
+    for (const Theme::Kind kind : {Theme::Kind::Light, Theme::Kind::Dark}) {
+        theme().setKind(kind);
+        QApplication::processEvents(QEventLoop::ExcludeUserInputEvents, 100);
+        window.grab().save(QDir(directory).filePath(kind == Theme::Kind::Dark ? QStringLiteral("start-dark.png") : QStringLiteral("start-light.png")));
+    }
+    theme().setKind(first);
+}
+
 void Screenshots::start()
 {
     m_wait.start();

@@ -15,6 +15,8 @@ class Screenshots : public QObject {
 public:
     Screenshots(Workspace& workspace, MainWindow& window, const QString& directory);
     void start();
+    /// The start page, light and dark, before a project is opened.
+    static void saveStartPage(MainWindow& window, const QString& directory);
 
 signals:
     void done(bool saved);
