@@ -1,0 +1,70 @@
+#pragma once
+
+#include "core/online/tracebuffer.h"
+#include "editors/shell/panel.h"
+
+#include <QTimer>
+
+class QComboBox;
+class QLabel;
+class QLineEdit;
+class QPushButton;
+class QTableView;
+
+namespace camwright {
+
+class ChannelListModel;
+class Pill;
+class ScopePlot;
+class SegmentedControl;
+class TriggerBar;
+
+/// The oscilloscope: records values in every motion cycle, shows them live, measures between two cursors, writes CSV.
+class TracePanel : public Panel {
+    Q_OBJECT
+public:
+    explicit TracePanel(Context& context, QWidget* parent = nullptr);
+
+    const TraceBuffer& buffer() const { return m_buffer; }
+    ScopePlot& plot() const { return *m_plot; }
+    void addChannels(const QStringList& names);
+    void start();
+    void stop();
+    QByteArray toCsv() const;
+
+private:
+    QWidget* buildTopBar();
+    QWidget* buildChannels();
+    QWidget* buildStatistics();
+    void connectParts();
+    void presetChosen(int index);
+    void refreshPresets();
+    void take(const SampleBlock& block);
+    void refreshPlot();
+    void refreshState();
+    void refreshStatistics();
+    void setLive(bool live);
+    void removeSelectedChannels();
+    void exportCsv();
+    int selectedChannel() const;
+
+    TraceBuffer m_buffer;
+    ScopePlot* m_plot;
+    ChannelListModel* m_channels;
+    QTableView* m_list = nullptr;
+    TriggerBar* m_trigger = nullptr;
+    QComboBox* m_presets = nullptr;
+    QLineEdit* m_newChannel = nullptr;
+    QPushButton* m_record = nullptr;
+    QPushButton* m_export = nullptr;
+    SegmentedControl* m_live = nullptr;
+    SegmentedControl* m_arrangement = nullptr;
+    Pill* m_state = nullptr;
+    QLabel* m_statistics = nullptr;
+    QTimer m_redraw;
+    bool m_recording = false;
+    bool m_following = true;
+    bool m_dirty = false;
+};
+
+} // namespace camwright
