@@ -1,0 +1,61 @@
+#pragma once
+
+#include "editors/program/textsearch.h"
+#include "editors/document/projectchange.h"
+#include "editors/shell/editor.h"
+
+class QMenu;
+
+namespace camwright {
+
+class FindBar;
+class IlCodeView;
+class Banner;
+
+/// The editor of a program in instruction list: text with colours, completion and tool tips from the catalogue, errors
+/// underlined as one types, find and replace. The text lives in the document; this is a view of it.
+class ProgramEditor : public Editor {
+    Q_OBJECT
+public:
+    ProgramEditor(Context& context, ObjectKey key, QWidget* parent = nullptr);
+
+    QString iconName() const override { return QStringLiteral("program"); }
+    void reveal(const Place& place) override;
+    Place place() const override;
+    QString positionText() const override;
+    bool can(const QString& actionId) const override;
+    void perform(const QString& actionId) override;
+
+private:
+    void buildView();
+    void connectView();
+    void documentChanged(const ProjectChange& change);
+    void loadSource();
+    void textEdited(std::size_t offset, std::size_t removed, const QByteArray& inserted);
+    void showProblems();
+    void showHover(int position, const QPoint& globalPoint);
+    void cursorMoved();
+
+    void complete(bool asked);
+    void acceptCompletion(const QByteArray& text);
+    void pasteText();
+    void importFile();
+    void importText(const std::string& text, const std::string& name);
+    void toggleComment();
+    void moveToDefinition();
+    void showMenu(const QPoint& globalPoint);
+
+    void updateSearch();
+    void findNext(bool forward);
+    void replaceOne();
+    void replaceAll();
+    void closeFind();
+
+    IlCodeView* m_view = nullptr;
+    FindBar* m_find = nullptr;
+    Banner* m_notice = nullptr;
+    std::vector<SearchHit> m_hits;
+    bool m_applying = false;
+};
+
+} // namespace camwright
