@@ -121,7 +121,8 @@ bool Connection::wait(std::chrono::milliseconds span, const std::function<bool()
     poll.start(std::chrono::milliseconds(20));
     if (span.count() >= 0)
         QTimer::singleShot(span, &loop, &QEventLoop::quit);
-    loop.exec();
+    if (!(until && until()))
+        loop.exec();
     m_waiting = nullptr;
     m_check = [] {};
     return !m_lost;

@@ -9,11 +9,18 @@ namespace camwright::cli {
 
 namespace {
 
-Result<void> give(Connection& connection, RequestId (ControllerLink::*order)(ControllerLink::Reply<void>))
+using Order = RequestId (ControllerLink::*)(ControllerLink::Reply<void>);
+
+/// Gives an order and waits until the status tells that it has been carried out, so that what is called next sees it.
+Result<void> give(Connection& connection, Order order, RunState wanted)
 {
     if (const auto control = connection.takeControl(); !control)
         return control.error();
-    return connection.ask<void>([&](auto reply) { (connection.link().*order)(reply); });
+    const auto done = connection.ask<void>([&](auto reply) { (connection.link().*order)(reply); });
+    if (!done)
+        return done.error();
+    const bool alive = connection.wait(std::chrono::seconds(5), [&] { return connection.link().status().state == wanted; });
+    return alive ? Result<void>() : Result<void>(connection.whyLost());
 }
 
 void showPlan(Invocation& call, const DownloadPlan& plan)
@@ -56,7 +63,7 @@ int runDownload(Invocation& call)
         return ControllerRefuses;
     }
     if (plan->mustStop) {
-        if (const auto stopped = give(connection, &ControllerLink::stop); !stopped)
+        if (const auto stopped = give(connection, &ControllerLink::stop, RunState::Stop); !stopped)
             return refused(call, stopped.error());
     } else if (const auto control = connection.takeControl(); !control) {
         return refused(call, control.error());
@@ -67,7 +74,7 @@ int runDownload(Invocation& call)
     if (!done)
         return refused(call, done.error());
     if (call.has("start")) {
-        if (const auto running = give(connection, &ControllerLink::run); !running)
+        if (const auto running = give(connection, &ControllerLink::run, RunState::Run); !running)
             return refused(call, running.error());
     }
     call.out.line(call.has("start") ? "Downloaded and started." : "Downloaded. The controller stands in STOP; 'camwright-cli start' runs it.");
@@ -88,7 +95,7 @@ int runStart(Invocation& call)
     auto connection = Connection::open(call);
     if (!connection)
         return refused(call, connection.error());
-    const auto done = give(**connection, &ControllerLink::run);
+    const auto done = give(**connection, &ControllerLink::run, RunState::Run);
     return done ? int(Done) : refused(call, done.error());
 }
 
@@ -97,7 +104,7 @@ int runStop(Invocation& call)
     auto connection = Connection::open(call);
     if (!connection)
         return refused(call, connection.error());
-    if (const auto done = give(**connection, &ControllerLink::stop); !done)
+    if (const auto done = give(**connection, &ControllerLink::stop, RunState::Stop); !done)
         return refused(call, done.error());
     if (!call.has("exit"))
         return Done;

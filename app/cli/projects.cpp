@@ -16,11 +16,11 @@ namespace camwright::cli {
 namespace {
 
 /// Diagnostics of a project name objects; people want the file and the line in it.
-void printAll(Invocation& call, const QString& path, const Project& project, const Diagnostics& diagnostics)
+void printAll(Invocation& call, const QString& path, const LoadedProject& loaded, const Diagnostics& diagnostics)
 {
     for (Diagnostic d : diagnostics) {
         if (d.place.file.empty())
-            d.place = filePlace(project, d.place);
+            d.place = filePlace(d.place, loaded.project, loaded.files);
         if (!d.place.file.empty() && !path.isEmpty())
             d.place.file = QDir::cleanPath(path + QLatin1Char('/') + QString::fromStdString(d.place.file)).toStdString();
         call.out.diagnostic(d);
@@ -61,17 +61,17 @@ Checked compileProject(Invocation& call, const QString& path, const BuildOptions
     }
     printAtPath(call, path, loaded->notes);
     const Validation validation = validate(loaded->project);
-    printAll(call, path, loaded->project, validation.diagnostics);
+    printAll(call, path, *loaded, validation.diagnostics);
     count(out, validation.diagnostics);
     if (validation.project) {
         Job job;
         out.result = compile(*validation.project, options, job);
-        printAll(call, path, loaded->project, out.result->diagnostics);
+        printAll(call, path, *loaded, out.result->diagnostics);
         count(out, out.result->diagnostics);
     } else {
         for (const ObjectPtr& program : loaded->project.objects(ObjectKind::Program)) {
             const Diagnostics found = checkProgramText(loaded->project, program->key, std::get<Program>(program->content).source);
-            printAll(call, path, loaded->project, found);
+            printAll(call, path, *loaded, found);
             count(out, found);
         }
     }
