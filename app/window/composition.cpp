@@ -6,11 +6,13 @@
 #include "editors/controller/register.h"
 #include "editors/log/register.h"
 #include "editors/network/register.h"
+#include "editors/program/register.h"
 #include "editors/project/projectpanel.h"
 #include "editors/shell/context.h"
 #include "editors/shell/problemsview.h"
 #include "editors/shell/registry.h"
 #include "editors/terminals/register.h"
+#include "editors/trace/register.h"
 #include "editors/variables/register.h"
 #include "editors/watch/register.h"
 
@@ -23,12 +25,14 @@ void registerEverything(Registry& registry, ActionCatalogue& actions)
         [](Context& context) -> Panel* { return new ProblemsView(context); }});
     registry.add(PanelFactory{QStringLiteral("output"), OutputPanel::tr("Output"), QStringLiteral("output"), PanelArea::Bottom, 20,
         [](Context& context) -> Panel* { return new OutputPanel(context); }});
+    registerProgramEditor(registry, actions);
     registerControllerEditor(registry, actions);
     registerAxisEditor(registry, actions);
     registerCommissioning(registry, actions);
     registerNetworkEditor(registry, actions);
     registerVariablesEditor(registry, actions);
     registerWatch(registry, actions);
+    registerTrace(registry, actions);
     registerLogPanel(registry, actions);
     registerTerminalsPanel(registry, actions);
 }
