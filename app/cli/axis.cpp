@@ -96,7 +96,9 @@ Result<void> send(Connection& connection, AxisCommand command, AxisCommandKind k
 /// Holds until the time is over or Ctrl+C, then stops the axis and waits for it to stand.
 Result<void> hold(Connection& connection, const Motion& motion)
 {
-    if (!connection.wait(std::chrono::duration_cast<std::chrono::milliseconds>(motion.span)))
+    // Without a time it is held until Ctrl+C; a nanosecond less than none would round to no time at all.
+    const auto span = motion.span < Time{} ? std::chrono::milliseconds(-1) : std::chrono::duration_cast<std::chrono::milliseconds>(motion.span);
+    if (!connection.wait(span))
         return connection.whyLost();
     return send(connection, motion.command, AxisCommandKind::Stop);
 }
