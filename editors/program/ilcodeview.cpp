@@ -81,7 +81,7 @@ void IlCodeView::applyTheme()
     setCaretLineBackgroundColor(theme().color(Role::Raised));
     setSelectionBackgroundColor(theme().color(Role::AccentSoft));
     resetSelectionForegroundColor();
-    setMarginsFont(theme().monoFont());
+    setMarginsFont(m_lexer->defaultFont());
     setMarginsForegroundColor(theme().color(Role::Dim));
     setMarginsBackgroundColor(theme().color(Role::Raised));
     setIndicatorForegroundColor(theme().color(Role::Error), ErrorIndicator);

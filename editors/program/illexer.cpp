@@ -51,7 +51,9 @@ QString IlLexer::description(int style) const
 
 void IlLexer::applyTheme()
 {
-    const QFont mono = theme().monoFont();
+    // Scintilla counts in points, the theme in pixels.
+    QFont mono = theme().monoFont();
+    mono.setPointSizeF(QFontInfo(mono).pointSizeF());
     setDefaultFont(mono);
     setDefaultPaper(theme().color(Role::Surface));
     setDefaultColor(theme().color(Role::Text));

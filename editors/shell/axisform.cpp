@@ -125,7 +125,8 @@ QWidget* AxisForm::addGuardingChoice()
     line->addWidget(m_guarding);
     line->addStretch();
     connect(m_guarding, &SegmentedControl::chosen, this, [this](int index) {
-        showGuarding(index == 1);
+        m_advanced = index == 1;
+        showGuarding(m_advanced);
         const Axis standard;
         if (index == 0 && (m_axis.guardTimeMs != standard.guardTimeMs || m_axis.lifeFactor != standard.lifeFactor)) {
             m_axis.guardTimeMs = standard.guardTimeMs;
@@ -201,10 +202,9 @@ void AxisForm::refresh()
     refreshUnits();
     const Axis standard;
     const bool own = m_axis.guardTimeMs != standard.guardTimeMs || m_axis.lifeFactor != standard.lifeFactor;
-    if (own || m_guarding->currentIndex() < 0) {
-        m_guarding->setCurrentIndex(own ? 1 : 0);
-        showGuarding(own);
-    }
+    const bool advanced = own || m_advanced; // whoever asked for the fields keeps them, also at their defaults
+    m_guarding->setCurrentIndex(advanced ? 1 : 0);
+    showGuarding(advanced);
 }
 
 void AxisForm::refreshUnits()

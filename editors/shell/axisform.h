@@ -46,6 +46,7 @@ private:
     void showGuarding(bool advanced);
 
     Axis m_axis;
+    bool m_advanced = false; ///< the user asked for the guarding fields
     QFormLayout* m_rows;
     QLineEdit* m_name;
     QLabel* m_nameProblem;

@@ -47,6 +47,7 @@ TracePanel::TracePanel(Context& context, QWidget* parent)
     split->addWidget(buildChannels());
     split->addWidget(m_plot);
     split->setStretchFactor(1, 1);
+    split->setSizes({380, 1000});
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(8, 6, 8, 4);
     layout->setSpacing(4);
@@ -104,6 +105,7 @@ QWidget* TracePanel::buildChannels()
     m_list->setModel(m_channels);
     m_list->setSelectionBehavior(QAbstractItemView::SelectRows);
     m_list->setShowGrid(false);
+    m_list->setTextElideMode(Qt::ElideLeft); // the end of a name tells more
     m_list->verticalHeader()->hide();
     m_list->verticalHeader()->setDefaultSectionSize(Theme::TableRow);
     m_list->horizontalHeader()->setSectionResizeMode(ChannelListModel::Name, QHeaderView::Stretch);

@@ -18,8 +18,9 @@ struct Running : HostFixture {
         EXPECT_TRUE(take(1));
         EXPECT_TRUE(download(1, image));
         EXPECT_TRUE(until([&] { return status.axes.size() == 2 && feed().online; })) << "drives on the bus";
-        if (run)
+        if (run) {
             EXPECT_TRUE(wait([&](auto done) { keepControl(); host.run(1, done); }));
+        }
     }
     void keepControl() { EXPECT_TRUE(take(1)); }
     /// Cycles with control renewed and a heartbeat every 20 ms, as a panel sends them.
