@@ -102,7 +102,8 @@ void ArmBar::refreshButtons()
     m_enable->setToolTip(!armed ? unarmed : enabled ? tr("The axis is enabled. Click to stop it and take the power off.") : tr("Puts the axis under power. It does not move."));
     m_enable->setIcon(icon(QStringLiteral("power"), enabled ? Role::Ok : Role::Text));
     const QString look = enabled ? QStringLiteral("background: %1; border-color: %2; color: %2;").arg(theme().name(Role::OkSoft), theme().name(Role::Ok)) : QString();
-    m_enable->setStyleSheet(QLatin1String(ButtonRoom) + look);
+    if (const QString sheet = QLatin1String(ButtonRoom) + look; sheet != m_enable->styleSheet())
+        m_enable->setStyleSheet(sheet); // polishing at every status would be felt
     m_reset->setEnabled(armed && error);
     m_reset->setToolTip(!armed ? unarmed : error ? tr("Clears the error once its cause is gone.") : tr("There is no error to reset."));
     m_home->setEnabled(m_control.mayMove() && !m_control.isDriving());

@@ -112,9 +112,13 @@ void Readings::buildTable(QGridLayout* table)
 
 void Readings::showState(const AxisStatus& axis)
 {
+    const Role ink = axis.homed ? Role::Ok : Role::Dim;
+    const QString sheet = QStringLiteral("color: %1; font-weight: 600;").arg(theme().name(ink));
     m_homed->setText(axis.homed ? tr("homed") : tr("not homed"));
-    m_homed->setStyleSheet(QStringLiteral("color: %1; font-weight: 600;").arg(theme().name(axis.homed ? Role::Ok : Role::Dim)));
-    m_homedIcon->setPixmap(iconPixmap(axis.homed ? QStringLiteral("check") : QStringLiteral("ring"), 14, axis.homed ? Role::Ok : Role::Dim, devicePixelRatioF()));
+    if (sheet != m_homed->styleSheet()) {
+        m_homed->setStyleSheet(sheet);
+        m_homedIcon->setPixmap(iconPixmap(axis.homed ? QStringLiteral("check") : QStringLiteral("ring"), 14, ink, devicePixelRatioF()));
+    }
     if (axis.error != 0)
         m_state->setContent(tr("error"), Role::Error, Role::ErrorSoft, QStringLiteral("error"));
     else if (axis.moving)
