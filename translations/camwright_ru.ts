@@ -413,6 +413,317 @@
     </message>
 </context>
 <context>
+    <name>Arguments</name>
+    <message>
+        <source>SDO protocol timed out</source>
+        <translation>истекло время протокола SDO</translation>
+    </message>
+    <message>
+        <source>a broken list</source>
+        <translation>список испорчен</translation>
+    </message>
+    <message>
+        <source>a broken number</source>
+        <translation>число испорчено</translation>
+    </message>
+    <message>
+        <source>a broken text</source>
+        <translation>текст испорчен</translation>
+    </message>
+    <message>
+        <source>a broken value</source>
+        <translation>значение испорчено</translation>
+    </message>
+    <message>
+        <source>a client</source>
+        <translation>клиент</translation>
+    </message>
+    <message>
+        <source>a digest that has neither 0 nor 32 bytes</source>
+        <translation>хеш длиной не 0 и не 32 байта</translation>
+    </message>
+    <message>
+        <source>a message before the handshake was done</source>
+        <translation>сообщение до окончания приветствия</translation>
+    </message>
+    <message>
+        <source>a negative scan period or watchdog time</source>
+        <translation>период сканирования или время сторожевого таймера отрицательны</translation>
+    </message>
+    <message>
+        <source>a routine has no name, or two have the same</source>
+        <translation>у подпрограммы нет имени, или имя занято дважды</translation>
+    </message>
+    <message>
+        <source>a second hello</source>
+        <translation>второе приветствие</translation>
+    </message>
+    <message>
+        <source>a text that is longer than the message</source>
+        <translation>текст длиннее сообщения</translation>
+    </message>
+    <message>
+        <source>a text that is no UTF-8</source>
+        <translation>текст не в UTF-8</translation>
+    </message>
+    <message>
+        <source>a value nobody asked for</source>
+        <translation>значение, которого никто не запрашивал</translation>
+    </message>
+    <message>
+        <source>a value wider than its type</source>
+        <translation>значение шире своего типа</translation>
+    </message>
+    <message>
+        <source>a wrong answer to piece</source>
+        <translation>неверный ответ на часть загрузки</translation>
+    </message>
+    <message>
+        <source>access failed due to a hardware error</source>
+        <translation>обращение не удалось из-за аппаратной ошибки</translation>
+    </message>
+    <message>
+        <source>an initial value lies outside its area</source>
+        <translation>начальное значение лежит вне своей области</translation>
+    </message>
+    <message>
+        <source>another number of types than was asked for</source>
+        <translation>типов не столько, сколько запрошено</translation>
+    </message>
+    <message>
+        <source>any finite number</source>
+        <translation>любое конечное число</translation>
+    </message>
+    <message>
+        <source>attempt to read a write-only object</source>
+        <translation>попытка читать объект только для записи</translation>
+    </message>
+    <message>
+        <source>attempt to write a read-only object</source>
+        <translation>попытка записи в объект только для чтения</translation>
+    </message>
+    <message>
+        <source>both stored sets are damaged</source>
+        <translation>оба сохранённых набора повреждены</translation>
+    </message>
+    <message>
+        <source>broken bytes</source>
+        <translation>байты испорчены</translation>
+    </message>
+    <message>
+        <source>bytes that are longer than the message</source>
+        <translation>байтов больше, чем в сообщении</translation>
+    </message>
+    <message>
+        <source>command specifier not valid or unknown</source>
+        <translation>код команды неверен или неизвестен</translation>
+    </message>
+    <message>
+        <source>commanded velocity</source>
+        <translation>заданная скорость</translation>
+    </message>
+    <message>
+        <source>data cannot be stored because of local control</source>
+        <translation>данные нельзя сохранить из-за местного управления</translation>
+    </message>
+    <message>
+        <source>data cannot be stored in the present device state</source>
+        <translation>данные нельзя сохранить в нынешнем состоянии устройства</translation>
+    </message>
+    <message>
+        <source>data cannot be transferred or stored</source>
+        <translation>данные нельзя передать или сохранить</translation>
+    </message>
+    <message>
+        <source>fewer values than were asked for</source>
+        <translation>значений меньше, чем запрошено</translation>
+    </message>
+    <message>
+        <source>general error</source>
+        <translation>общая ошибка</translation>
+    </message>
+    <message>
+        <source>general parameter incompatibility</source>
+        <translation>общая несовместимость параметров</translation>
+    </message>
+    <message>
+        <source>it left no message</source>
+        <translation>сообщения не осталось</translation>
+    </message>
+    <message>
+        <source>its digest does not fit</source>
+        <translation>хеш не сходится</translation>
+    </message>
+    <message>
+        <source>length of the parameter does not match</source>
+        <translation>длина параметра не подходит</translation>
+    </message>
+    <message>
+        <source>maximum is less than minimum</source>
+        <translation>максимум меньше минимума</translation>
+    </message>
+    <message>
+        <source>more parts</source>
+        <translation>больше частей</translation>
+    </message>
+    <message>
+        <source>more than a message</source>
+        <translation>больше одного сообщения</translation>
+    </message>
+    <message>
+        <source>no abort</source>
+        <translation>отказа нет</translation>
+    </message>
+    <message>
+        <source>no answer within 5 s</source>
+        <translation>нет ответа за 5 с</translation>
+    </message>
+    <message>
+        <source>no authentication</source>
+        <translation>нет проверки подлинности</translation>
+    </message>
+    <message>
+        <source>no bytes of known length where they are due</source>
+        <translation>нет байтов известной длины там, где они должны быть</translation>
+    </message>
+    <message>
+        <source>no list of the right length where one is due</source>
+        <translation>нет списка нужной длины там, где он должен быть</translation>
+    </message>
+    <message>
+        <source>no program</source>
+        <translation>пустой памятью программ</translation>
+    </message>
+    <message>
+        <source>no text of known length where one is due</source>
+        <translation>нет текста известной длины там, где он должен быть</translation>
+    </message>
+    <message>
+        <source>no true or false where one is due</source>
+        <translation>нет истины или лжи там, где они должны быть</translation>
+    </message>
+    <message>
+        <source>no welcome</source>
+        <translation>нет ответного приветствия</translation>
+    </message>
+    <message>
+        <source>nothing came for %1 s</source>
+        <translation>ничего не приходило %1 с</translation>
+    </message>
+    <message>
+        <source>number and length of the mapped objects exceed the PDO</source>
+        <translation>число и длина отображённых объектов больше PDO</translation>
+    </message>
+    <message>
+        <source>object cannot be mapped to the PDO</source>
+        <translation>объект нельзя отобразить в PDO</translation>
+    </message>
+    <message>
+        <source>object does not exist in the object dictionary</source>
+        <translation>такого объекта нет в словаре объектов</translation>
+    </message>
+    <message>
+        <source>out of memory</source>
+        <translation>не хватает памяти</translation>
+    </message>
+    <message>
+        <source>parameter is too long</source>
+        <translation>параметр слишком длинный</translation>
+    </message>
+    <message>
+        <source>parameter is too short</source>
+        <translation>параметр слишком короткий</translation>
+    </message>
+    <message>
+        <source>samples that are no multiple of 8 bytes</source>
+        <translation>отсчёты не кратны 8 байтам</translation>
+    </message>
+    <message>
+        <source>sub-index does not exist</source>
+        <translation>такого подындекса нет</translation>
+    </message>
+    <message>
+        <source>target position</source>
+        <translation>заданное положение</translation>
+    </message>
+    <message>
+        <source>the axes are not in order</source>
+        <translation>оси идут не по порядку</translation>
+    </message>
+    <message>
+        <source>the flag of failed instructions lies outside its area</source>
+        <translation>признак неудачной инструкции лежит вне своей области</translation>
+    </message>
+    <message>
+        <source>the folder cannot be made</source>
+        <translation>папку не удаётся создать</translation>
+    </message>
+    <message>
+        <source>the memory areas are not in order</source>
+        <translation>области памяти идут не по порядку</translation>
+    </message>
+    <message>
+        <source>the memory areas are too large</source>
+        <translation>области памяти слишком велики</translation>
+    </message>
+    <message>
+        <source>the other side closed it</source>
+        <translation>другая сторона закрыла соединение</translation>
+    </message>
+    <message>
+        <source>the program before it</source>
+        <translation>прежней программой</translation>
+    </message>
+    <message>
+        <source>the record is damaged</source>
+        <translation>запись повреждена</translation>
+    </message>
+    <message>
+        <source>the record of the stored program is damaged</source>
+        <translation>запись о сохранённой программе повреждена</translation>
+    </message>
+    <message>
+        <source>the retained range of an area lies outside it</source>
+        <translation>сохраняемая часть области выходит за её пределы</translation>
+    </message>
+    <message>
+        <source>the stored program is damaged</source>
+        <translation>сохранённая программа повреждена</translation>
+    </message>
+    <message>
+        <source>the variables are not in order</source>
+        <translation>переменные идут не по порядку</translation>
+    </message>
+    <message>
+        <source>there is no private folder for its socket</source>
+        <translation>нет личной папки для его сокета</translation>
+    </message>
+    <message>
+        <source>toggle bit not alternated</source>
+        <translation>бит чередования не сменился</translation>
+    </message>
+    <message>
+        <source>unknown reason</source>
+        <translation>причина неизвестна</translation>
+    </message>
+    <message>
+        <source>unsupported access to an object</source>
+        <translation>обращение к объекту не поддерживается</translation>
+    </message>
+    <message>
+        <source>value outside the permitted range</source>
+        <translation>значение вне допустимого диапазона</translation>
+    </message>
+    <message>
+        <source>value too high</source>
+        <translation>значение слишком велико</translation>
+    </message>
+    <message>
+        <source>value too low</source>
+        <translation>значение слишком мало</translation>
+    </message>
+</context>
+<context>
     <name>AxisCause</name>
     <message>
         <source>alarm of the drive</source>
@@ -1463,6 +1774,10 @@
         <translation>Проблем в этой программе больше %1; остальные не показаны. Исправьте первые и проверьте снова.</translation>
     </message>
     <message>
+        <source>There are more than %1 warnings in this program; the others are not listed.</source>
+        <translation>Предупреждений в этой программе больше %1; остальные не показаны.</translation>
+    </message>
+    <message>
         <source>There is a character that cannot be seen here: %1. Remove it.</source>
         <translation>Здесь невидимый символ: %1. Удалите его.</translation>
     </message>
@@ -1588,6 +1903,29 @@
     <message>
         <source>The texts of this language are not installed.</source>
         <translation>Тексты этого языка не установлены.</translation>
+    </message>
+</context>
+<context>
+    <name>Units</name>
+    <message>
+        <source>mm</source>
+        <translation>мм</translation>
+    </message>
+    <message>
+        <source>mm/s</source>
+        <translation>мм/с</translation>
+    </message>
+    <message>
+        <source>ms</source>
+        <translation>мс</translation>
+    </message>
+    <message>
+        <source>s</source>
+        <translation>с</translation>
+    </message>
+    <message>
+        <source>°/s</source>
+        <translation>°/с</translation>
     </message>
 </context>
 <context>
@@ -2221,11 +2559,11 @@
     <name>camwright::ControllerEditor</name>
     <message>
         <source>%1 bytes</source>
-        <translation>Байт: %1</translation>
+        <translation>%1 Б</translation>
     </message>
     <message>
         <source>%1 elements</source>
-        <translation>Элементов: %1</translation>
+        <translation>%1 эл.</translation>
     </message>
     <message>
         <source>0: the program runs as fast as it can. Else every scan begins this long after the one before.</source>
@@ -2301,7 +2639,7 @@
     </message>
     <message>
         <source>Pulse outputs (not simulated yet)</source>
-        <translation>Импульсные выходы (пока не моделируются)</translation>
+        <translation>Импульсные выходы (без модели)</translation>
     </message>
     <message>
         <source>Scan period</source>
@@ -4127,7 +4465,7 @@
     </message>
     <message>
         <source>local · virtual controller</source>
-        <translation>local · виртуальный контроллер</translation>
+        <translation>local · виртуальный</translation>
     </message>
     <message>
         <source>no controller</source>

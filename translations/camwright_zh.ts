@@ -413,6 +413,317 @@
     </message>
 </context>
 <context>
+    <name>Arguments</name>
+    <message>
+        <source>SDO protocol timed out</source>
+        <translation>SDO 协议超时</translation>
+    </message>
+    <message>
+        <source>a broken list</source>
+        <translation>列表损坏</translation>
+    </message>
+    <message>
+        <source>a broken number</source>
+        <translation>数损坏</translation>
+    </message>
+    <message>
+        <source>a broken text</source>
+        <translation>文本损坏</translation>
+    </message>
+    <message>
+        <source>a broken value</source>
+        <translation>值损坏</translation>
+    </message>
+    <message>
+        <source>a client</source>
+        <translation>某客户端</translation>
+    </message>
+    <message>
+        <source>a digest that has neither 0 nor 32 bytes</source>
+        <translation>摘要既不是 0 字节也不是 32 字节</translation>
+    </message>
+    <message>
+        <source>a message before the handshake was done</source>
+        <translation>握手完成之前的报文</translation>
+    </message>
+    <message>
+        <source>a negative scan period or watchdog time</source>
+        <translation>扫描周期或看门狗时间为负</translation>
+    </message>
+    <message>
+        <source>a routine has no name, or two have the same</source>
+        <translation>有例程没有名称，或两个同名</translation>
+    </message>
+    <message>
+        <source>a second hello</source>
+        <translation>第二次问候</translation>
+    </message>
+    <message>
+        <source>a text that is longer than the message</source>
+        <translation>文本比报文还长</translation>
+    </message>
+    <message>
+        <source>a text that is no UTF-8</source>
+        <translation>文本不是 UTF-8</translation>
+    </message>
+    <message>
+        <source>a value nobody asked for</source>
+        <translation>无人请求的值</translation>
+    </message>
+    <message>
+        <source>a value wider than its type</source>
+        <translation>值超出其类型的宽度</translation>
+    </message>
+    <message>
+        <source>a wrong answer to piece</source>
+        <translation>对片段的错误应答</translation>
+    </message>
+    <message>
+        <source>access failed due to a hardware error</source>
+        <translation>因硬件错误访问失败</translation>
+    </message>
+    <message>
+        <source>an initial value lies outside its area</source>
+        <translation>某初始值超出其存储区</translation>
+    </message>
+    <message>
+        <source>another number of types than was asked for</source>
+        <translation>类型数与请求的不同</translation>
+    </message>
+    <message>
+        <source>any finite number</source>
+        <translation>任意有限数</translation>
+    </message>
+    <message>
+        <source>attempt to read a write-only object</source>
+        <translation>试图读取只写对象</translation>
+    </message>
+    <message>
+        <source>attempt to write a read-only object</source>
+        <translation>试图写入只读对象</translation>
+    </message>
+    <message>
+        <source>both stored sets are damaged</source>
+        <translation>两份存储数据均已损坏</translation>
+    </message>
+    <message>
+        <source>broken bytes</source>
+        <translation>字节串损坏</translation>
+    </message>
+    <message>
+        <source>bytes that are longer than the message</source>
+        <translation>字节串比报文还长</translation>
+    </message>
+    <message>
+        <source>command specifier not valid or unknown</source>
+        <translation>命令字无效或未知</translation>
+    </message>
+    <message>
+        <source>commanded velocity</source>
+        <translation>指令速度</translation>
+    </message>
+    <message>
+        <source>data cannot be stored because of local control</source>
+        <translation>因本地控制，数据无法存储</translation>
+    </message>
+    <message>
+        <source>data cannot be stored in the present device state</source>
+        <translation>设备当前状态下数据无法存储</translation>
+    </message>
+    <message>
+        <source>data cannot be transferred or stored</source>
+        <translation>数据无法传输或存储</translation>
+    </message>
+    <message>
+        <source>fewer values than were asked for</source>
+        <translation>值少于所请求的数量</translation>
+    </message>
+    <message>
+        <source>general error</source>
+        <translation>一般错误</translation>
+    </message>
+    <message>
+        <source>general parameter incompatibility</source>
+        <translation>参数一般性不兼容</translation>
+    </message>
+    <message>
+        <source>it left no message</source>
+        <translation>它没有留下消息</translation>
+    </message>
+    <message>
+        <source>its digest does not fit</source>
+        <translation>摘要不符</translation>
+    </message>
+    <message>
+        <source>length of the parameter does not match</source>
+        <translation>参数长度不符</translation>
+    </message>
+    <message>
+        <source>maximum is less than minimum</source>
+        <translation>最大值小于最小值</translation>
+    </message>
+    <message>
+        <source>more parts</source>
+        <translation>更多的部分</translation>
+    </message>
+    <message>
+        <source>more than a message</source>
+        <translation>超过一个报文的内容</translation>
+    </message>
+    <message>
+        <source>no abort</source>
+        <translation>无中止</translation>
+    </message>
+    <message>
+        <source>no answer within 5 s</source>
+        <translation>5 s 内没有应答</translation>
+    </message>
+    <message>
+        <source>no authentication</source>
+        <translation>没有身份验证</translation>
+    </message>
+    <message>
+        <source>no bytes of known length where they are due</source>
+        <translation>应有字节串处没有长度已知的字节串</translation>
+    </message>
+    <message>
+        <source>no list of the right length where one is due</source>
+        <translation>应有列表处没有正确长度的列表</translation>
+    </message>
+    <message>
+        <source>no program</source>
+        <translation>无程序</translation>
+    </message>
+    <message>
+        <source>no text of known length where one is due</source>
+        <translation>应有文本处没有长度已知的文本</translation>
+    </message>
+    <message>
+        <source>no true or false where one is due</source>
+        <translation>应有真假值处没有真假值</translation>
+    </message>
+    <message>
+        <source>no welcome</source>
+        <translation>没有欢迎报文</translation>
+    </message>
+    <message>
+        <source>nothing came for %1 s</source>
+        <translation>已有 %1 s 没有收到任何数据</translation>
+    </message>
+    <message>
+        <source>number and length of the mapped objects exceed the PDO</source>
+        <translation>映射对象的数量和长度超出 PDO</translation>
+    </message>
+    <message>
+        <source>object cannot be mapped to the PDO</source>
+        <translation>该对象不能映射到 PDO</translation>
+    </message>
+    <message>
+        <source>object does not exist in the object dictionary</source>
+        <translation>对象字典中没有该对象</translation>
+    </message>
+    <message>
+        <source>out of memory</source>
+        <translation>内存不足</translation>
+    </message>
+    <message>
+        <source>parameter is too long</source>
+        <translation>参数过长</translation>
+    </message>
+    <message>
+        <source>parameter is too short</source>
+        <translation>参数过短</translation>
+    </message>
+    <message>
+        <source>samples that are no multiple of 8 bytes</source>
+        <translation>采样数据不是 8 字节的倍数</translation>
+    </message>
+    <message>
+        <source>sub-index does not exist</source>
+        <translation>子索引不存在</translation>
+    </message>
+    <message>
+        <source>target position</source>
+        <translation>目标位置</translation>
+    </message>
+    <message>
+        <source>the axes are not in order</source>
+        <translation>轴顺序不对</translation>
+    </message>
+    <message>
+        <source>the flag of failed instructions lies outside its area</source>
+        <translation>指令失败标志超出其存储区</translation>
+    </message>
+    <message>
+        <source>the folder cannot be made</source>
+        <translation>无法建立文件夹</translation>
+    </message>
+    <message>
+        <source>the memory areas are not in order</source>
+        <translation>存储区顺序不对</translation>
+    </message>
+    <message>
+        <source>the memory areas are too large</source>
+        <translation>存储区过大</translation>
+    </message>
+    <message>
+        <source>the other side closed it</source>
+        <translation>对方已关闭</translation>
+    </message>
+    <message>
+        <source>the program before it</source>
+        <translation>之前的程序</translation>
+    </message>
+    <message>
+        <source>the record is damaged</source>
+        <translation>记录已损坏</translation>
+    </message>
+    <message>
+        <source>the record of the stored program is damaged</source>
+        <translation>所存程序的记录已损坏</translation>
+    </message>
+    <message>
+        <source>the retained range of an area lies outside it</source>
+        <translation>某存储区的保持范围超出该区</translation>
+    </message>
+    <message>
+        <source>the stored program is damaged</source>
+        <translation>所存程序已损坏</translation>
+    </message>
+    <message>
+        <source>the variables are not in order</source>
+        <translation>变量顺序不对</translation>
+    </message>
+    <message>
+        <source>there is no private folder for its socket</source>
+        <translation>没有放置其套接字的私有文件夹</translation>
+    </message>
+    <message>
+        <source>toggle bit not alternated</source>
+        <translation>切换位未交替</translation>
+    </message>
+    <message>
+        <source>unknown reason</source>
+        <translation>原因未知</translation>
+    </message>
+    <message>
+        <source>unsupported access to an object</source>
+        <translation>不支持对该对象的访问</translation>
+    </message>
+    <message>
+        <source>value outside the permitted range</source>
+        <translation>值超出允许范围</translation>
+    </message>
+    <message>
+        <source>value too high</source>
+        <translation>值过大</translation>
+    </message>
+    <message>
+        <source>value too low</source>
+        <translation>值过小</translation>
+    </message>
+</context>
+<context>
     <name>AxisCause</name>
     <message>
         <source>alarm of the drive</source>
@@ -1461,6 +1772,10 @@
         <translation>此程序中的问题超过 %1 个，其余未列出。先改正前面的，再检查一次。</translation>
     </message>
     <message>
+        <source>There are more than %1 warnings in this program; the others are not listed.</source>
+        <translation>此程序中的警告超过 %1 个，其余未列出。</translation>
+    </message>
+    <message>
         <source>There is a character that cannot be seen here: %1. Remove it.</source>
         <translation>此处有一个不可见字符：%1。删除它。</translation>
     </message>
@@ -1586,6 +1901,29 @@
     <message>
         <source>The texts of this language are not installed.</source>
         <translation>该语言的文本未安装。</translation>
+    </message>
+</context>
+<context>
+    <name>Units</name>
+    <message>
+        <source>mm</source>
+        <translation>mm</translation>
+    </message>
+    <message>
+        <source>mm/s</source>
+        <translation>mm/s</translation>
+    </message>
+    <message>
+        <source>ms</source>
+        <translation>ms</translation>
+    </message>
+    <message>
+        <source>s</source>
+        <translation>s</translation>
+    </message>
+    <message>
+        <source>°/s</source>
+        <translation>°/s</translation>
     </message>
 </context>
 <context>
@@ -3514,7 +3852,7 @@
     </message>
     <message>
         <source>%1 in %2</source>
-        <translation>%1(%2)</translation>
+        <translation>%1（%2）</translation>
     </message>
     <message>
         <source>%1: return to the default</source>

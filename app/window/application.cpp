@@ -14,11 +14,6 @@ namespace camwright {
 
 namespace {
 
-QString translationsFolder()
-{
-    return sharedPath(QStringLiteral("translations"));
-}
-
 /// The window and its workspace; a change of language makes the window anew.
 class Session : public QObject {
 public:
@@ -37,7 +32,7 @@ private:
 
     void changeLanguage(const QString& language)
     {
-        if (!words::setLanguage(*QCoreApplication::instance(), language, translationsFolder())) {
+        if (!words::setLanguage(*QCoreApplication::instance(), language)) {
             m_workspace.context.notify(Severity::Warning, QCoreApplication::translate("Program", "The texts of this language are not installed."));
             return;
         }
@@ -91,7 +86,7 @@ int runWindow(int argc, char** argv)
     theme().setKind(wantedTheme.isEmpty() ? settings.themeKind() : wantedTheme == QLatin1String("dark") ? Theme::Kind::Dark : Theme::Kind::Light);
     theme().applyToApplication();
     const QString wantedLanguage = parser.isSet(QStringLiteral("lang")) ? parser.value(QStringLiteral("lang")) : settings.language();
-    if (!words::setLanguage(application, wantedLanguage, translationsFolder()) && parser.isSet(QStringLiteral("lang"))) {
+    if (!words::setLanguage(application, wantedLanguage) && parser.isSet(QStringLiteral("lang"))) {
         QTextStream(stderr) << "--lang: no texts for \"" << wantedLanguage << "\"\n";
         return 2;
     }

@@ -5,6 +5,7 @@
 #include "editors/shell/context.h"
 #include "editors/shell/icons.h"
 #include "editors/shell/widgets.h"
+#include "editors/words/words.h"
 
 #include <QKeyEvent>
 #include <QLineEdit>
@@ -187,9 +188,7 @@ std::vector<PaletteEntry> findableActions(Context& context)
         QAction* action = context.actions().action(QString::fromLatin1(row.id));
         if (!action->isEnabled())
             continue;
-        QString text = action->text();
-        text.remove(QLatin1Char('&')).remove(QLatin1String("..."));
-        out.push_back({text, action->shortcut().toString(QKeySequence::NativeText), QString::fromLatin1(row.icon), [action] { action->trigger(); }});
+        out.push_back({words::plainName(action->text()), action->shortcut().toString(QKeySequence::NativeText), QString::fromLatin1(row.icon), [action] { action->trigger(); }});
     }
     return out;
 }

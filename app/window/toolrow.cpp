@@ -3,6 +3,7 @@
 #include "editors/shell/actions.h"
 #include "editors/shell/icons.h"
 #include "editors/shell/widgets.h"
+#include "editors/words/words.h"
 
 #include <QComboBox>
 #include <QHBoxLayout>
@@ -103,8 +104,7 @@ QToolButton* ToolRow::addButton(QHBoxLayout* row, const QString& actionId, bool 
     QAction* action = m_context.actions().action(actionId);
     button->setDefaultAction(action);
     button->setObjectName(actionId);
-    QString name = action->text();
-    name.remove(QLatin1Char('&')).remove(QLatin1String("..."));
+    const QString name = words::plainName(action->text());
     button->setAccessibleName(name);
     // A blank keeps the word off the icon.
     const QString shown = QLatin1Char(' ') + name;

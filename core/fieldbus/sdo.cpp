@@ -1,5 +1,6 @@
 #include "core/fieldbus/sdo.h"
 
+#include "core/base/codes.h"
 #include "core/fieldbus/framebytes.h"
 
 #include <algorithm>
@@ -9,33 +10,33 @@ namespace camwright {
 std::string_view sdoAbortText(SdoAbort abort)
 {
     switch (abort) {
-    case SdoAbort::None: return "no abort";
-    case SdoAbort::ToggleNotAlternated: return "toggle bit not alternated";
-    case SdoAbort::TimedOut: return "SDO protocol timed out";
-    case SdoAbort::UnknownCommand: return "command specifier not valid or unknown";
-    case SdoAbort::OutOfMemory: return "out of memory";
-    case SdoAbort::UnsupportedAccess: return "unsupported access to an object";
-    case SdoAbort::WriteOnly: return "attempt to read a write-only object";
-    case SdoAbort::ReadOnly: return "attempt to write a read-only object";
-    case SdoAbort::NoSuchObject: return "object does not exist in the object dictionary";
-    case SdoAbort::NotMappable: return "object cannot be mapped to the PDO";
-    case SdoAbort::PdoTooLong: return "number and length of the mapped objects exceed the PDO";
-    case SdoAbort::ParameterIncompatible: return "general parameter incompatibility";
-    case SdoAbort::HardwareError: return "access failed due to a hardware error";
-    case SdoAbort::LengthMismatch: return "length of the parameter does not match";
-    case SdoAbort::TooLong: return "parameter is too long";
-    case SdoAbort::TooShort: return "parameter is too short";
-    case SdoAbort::NoSuchSubindex: return "sub-index does not exist";
-    case SdoAbort::ValueRange: return "value outside the permitted range";
-    case SdoAbort::ValueTooHigh: return "value too high";
-    case SdoAbort::ValueTooLow: return "value too low";
-    case SdoAbort::MaximumBelowMinimum: return "maximum is less than minimum";
-    case SdoAbort::General: return "general error";
-    case SdoAbort::CannotTransfer: return "data cannot be transferred or stored";
-    case SdoAbort::LocalControl: return "data cannot be stored because of local control";
-    case SdoAbort::DeviceState: return "data cannot be stored in the present device state";
+    case SdoAbort::None: return CW_TEXT("Arguments", "no abort");
+    case SdoAbort::ToggleNotAlternated: return CW_TEXT("Arguments", "toggle bit not alternated");
+    case SdoAbort::TimedOut: return CW_TEXT("Arguments", "SDO protocol timed out");
+    case SdoAbort::UnknownCommand: return CW_TEXT("Arguments", "command specifier not valid or unknown");
+    case SdoAbort::OutOfMemory: return CW_TEXT("Arguments", "out of memory");
+    case SdoAbort::UnsupportedAccess: return CW_TEXT("Arguments", "unsupported access to an object");
+    case SdoAbort::WriteOnly: return CW_TEXT("Arguments", "attempt to read a write-only object");
+    case SdoAbort::ReadOnly: return CW_TEXT("Arguments", "attempt to write a read-only object");
+    case SdoAbort::NoSuchObject: return CW_TEXT("Arguments", "object does not exist in the object dictionary");
+    case SdoAbort::NotMappable: return CW_TEXT("Arguments", "object cannot be mapped to the PDO");
+    case SdoAbort::PdoTooLong: return CW_TEXT("Arguments", "number and length of the mapped objects exceed the PDO");
+    case SdoAbort::ParameterIncompatible: return CW_TEXT("Arguments", "general parameter incompatibility");
+    case SdoAbort::HardwareError: return CW_TEXT("Arguments", "access failed due to a hardware error");
+    case SdoAbort::LengthMismatch: return CW_TEXT("Arguments", "length of the parameter does not match");
+    case SdoAbort::TooLong: return CW_TEXT("Arguments", "parameter is too long");
+    case SdoAbort::TooShort: return CW_TEXT("Arguments", "parameter is too short");
+    case SdoAbort::NoSuchSubindex: return CW_TEXT("Arguments", "sub-index does not exist");
+    case SdoAbort::ValueRange: return CW_TEXT("Arguments", "value outside the permitted range");
+    case SdoAbort::ValueTooHigh: return CW_TEXT("Arguments", "value too high");
+    case SdoAbort::ValueTooLow: return CW_TEXT("Arguments", "value too low");
+    case SdoAbort::MaximumBelowMinimum: return CW_TEXT("Arguments", "maximum is less than minimum");
+    case SdoAbort::General: return CW_TEXT("Arguments", "general error");
+    case SdoAbort::CannotTransfer: return CW_TEXT("Arguments", "data cannot be transferred or stored");
+    case SdoAbort::LocalControl: return CW_TEXT("Arguments", "data cannot be stored because of local control");
+    case SdoAbort::DeviceState: return CW_TEXT("Arguments", "data cannot be stored in the present device state");
     }
-    return "unknown reason";
+    return CW_TEXT("Arguments", "unknown reason");
 }
 
 CanFrame sdoAbortFrame(std::uint32_t cobId, std::uint16_t index, std::uint8_t sub, SdoAbort abort)

@@ -34,16 +34,16 @@ void ControllerHost::Impl::restore()
             loaded = true;
             manifest = manifestOf(*image);
             if (image == &stored.previous)
-                addLog(diagnostic(Code::StoredProgramUnusable, {trouble, "the program before it"}));
+                addLog(diagnostic(Code::StoredProgramUnusable, {trouble, CW_TEXT("Arguments", "the program before it")}));
         } else {
             trouble = englishText(done.error());
         }
     }
     if (!loaded && !trouble.empty())
-        addLog(diagnostic(Code::StoredProgramUnusable, {trouble, "no program"}));
+        addLog(diagnostic(Code::StoredProgramUnusable, {trouble, CW_TEXT("Arguments", "no program")}));
     const RetainedStore::Stored data = retained.load();
     if (data.damaged)
-        addLog(diagnostic(Code::RetainedDropped, {"both stored sets are damaged"}));
+        addLog(diagnostic(Code::RetainedDropped, {CW_TEXT("Arguments", "both stored sets are damaged")}));
     if (!loaded || data.data.empty())
         return;
     if (const auto done = engine.restoreRetained(data.data); !done)

@@ -36,7 +36,7 @@ Result<ImageStore::Record> ImageStore::readRecord()
     const auto text = m_files.read(m_folder + "/active", RecordLimit);
     if (!text)
         return text.error();
-    const Diagnostic damaged = diagnostic(Code::StoredProgramUnusable, {"the record is damaged", ""});
+    const Diagnostic damaged = diagnostic(Code::StoredProgramUnusable, {CW_TEXT("Arguments", "the record is damaged"), ""});
     const ByteSpan bytes = bytesOf(*text);
     if (bytes.size() < sizeof(std::uint32_t))
         return damaged;
@@ -61,7 +61,7 @@ Result<Bytes> ImageStore::readSlot(std::uint8_t slot, const Hash& expected)
         return text.error();
     const ByteSpan bytes = bytesOf(*text);
     if (hashOf(bytes) != expected)
-        return diagnostic(Code::StoredProgramUnusable, {"its digest does not fit", ""});
+        return diagnostic(Code::StoredProgramUnusable, {CW_TEXT("Arguments", "its digest does not fit"), ""});
     return Bytes(bytes.begin(), bytes.end());
 }
 
@@ -71,13 +71,13 @@ ImageStore::Stored ImageStore::load()
     const auto record = readRecord();
     if (!record) {
         if (record.error().code != Code::FileNotFound)
-            out.trouble = "the record of the stored program is damaged";
+            out.trouble = CW_TEXT("Arguments", "the record of the stored program is damaged");
         return out;
     }
     if (auto image = readSlot(record->slot, record->image))
         out.image = std::move(*image);
     else
-        out.trouble = "the stored program is damaged";
+        out.trouble = CW_TEXT("Arguments", "the stored program is damaged");
     if (!record->previous.isNull())
         if (auto image = readSlot(static_cast<std::uint8_t>(1 - record->slot), record->previous))
             out.previous = std::move(*image);

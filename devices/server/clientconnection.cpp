@@ -19,7 +19,7 @@ std::string presentable(const std::string& text)
     std::string out;
     for (const char c : text.substr(0, LongestName))
         out += static_cast<unsigned char>(c) < 0x20 || c == 0x7F ? '?' : c;
-    return out.empty() ? "a client" : out;
+    return out.empty() ? CW_TEXT("Arguments", "a client") : out;
 }
 
 Time monotonic()
@@ -47,7 +47,7 @@ std::string ClientConnection::who() const
 void ClientConnection::send(std::uint32_t request, Message message)
 {
     if (!m_channel->send({request, std::move(message)}) && request != 0)
-        m_channel->send({request, message::Failed{diagnostic(Code::TooMuchAsked, {"answer", "more than a message",
+        m_channel->send({request, message::Failed{diagnostic(Code::TooMuchAsked, {"answer", CW_TEXT("Arguments", "more than a message"),
                                                                                   std::to_string(message::MaximumFrame)})}});
 }
 
@@ -94,7 +94,7 @@ void ClientConnection::watch(Time passed)
     }
     const Time limit = m_stage == Stage::Ready ? m_server.options().silence : m_server.options().handshakeTime;
     if (m_silent > limit)
-        violate("nothing came for " + std::to_string(limit / 1s) + " s");
+        violate(fillTemplate(CW_TEXT("Arguments", "nothing came for %1 s"), {std::to_string(limit / 1s)}));
 }
 
 bool ClientConnection::mayAsk(const Envelope& envelope)
@@ -123,7 +123,7 @@ void ClientConnection::receive(const Envelope& envelope)
         || std::holds_alternative<message::Authenticate>(envelope.message)
         || std::holds_alternative<message::StopAll>(envelope.message);
     if (m_stage != Stage::Ready && !handshake)
-        return violate("a message before the handshake was done");
+        return violate(CW_TEXT("Arguments", "a message before the handshake was done"));
     if (m_budget > 0)
         --m_budget;
     if (m_budget == 0 || m_channel->waiting() > Overfull)
@@ -177,7 +177,7 @@ bool ClientConnection::tooMany(std::uint32_t request, const char* what, std::siz
 void ClientConnection::on(std::uint32_t request, const message::Hello& hello)
 {
     if (m_stage != Stage::Hello)
-        return violate("a second hello");
+        return violate(CW_TEXT("Arguments", "a second hello"));
     m_name = presentable(hello.client);
     if (hello.major != message::ProtocolMajor)
         return refuse(diagnostic(Code::ProtocolVersion, {std::to_string(message::ProtocolMajor), std::to_string(hello.major)}));
@@ -242,7 +242,7 @@ void ClientConnection::on(std::uint32_t request, const message::PlanDownload& pl
 {
     if (m_parts.size() + plan.manifest.parts.size() > message::MaximumParts) {
         m_parts.clear();
-        return answer(request, diagnostic(Code::TooMuchAsked, {"planDownload", "more parts", std::to_string(message::MaximumParts)}));
+        return answer(request, diagnostic(Code::TooMuchAsked, {"planDownload", CW_TEXT("Arguments", "more parts"), std::to_string(message::MaximumParts)}));
     }
     m_parts.insert(m_parts.end(), plan.manifest.parts.begin(), plan.manifest.parts.end());
     if (plan.more)

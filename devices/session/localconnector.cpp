@@ -49,9 +49,9 @@ QString lastLine(const QString& file)
 {
     QFile log(file);
     if (!log.open(QIODevice::ReadOnly))
-        return QStringLiteral("it left no message");
+        return QString::fromLatin1(CW_TEXT("Arguments", "it left no message"));
     const QList<QByteArray> lines = log.readAll().trimmed().split('\n');
-    return lines.last().isEmpty() ? QStringLiteral("it left no message") : QString::fromUtf8(lines.last());
+    return lines.last().isEmpty() ? QString::fromLatin1(CW_TEXT("Arguments", "it left no message")) : QString::fromUtf8(lines.last());
 }
 
 } // namespace
@@ -65,11 +65,11 @@ Result<LocalConnector::Paths> LocalConnector::pathsFor(const std::string& projec
     const QString name = QString::fromStdString(toHex(hash).substr(0, 16));
     const QString folder = socketFolder();
     if (folder.isEmpty())
-        return diagnostic(Code::CannotConnect, {"local", "there is no private folder for its socket"});
+        return diagnostic(Code::CannotConnect, {"local", CW_TEXT("Arguments", "there is no private folder for its socket")});
     const QString state = environment("XDG_STATE_HOME", QDir::homePath() + QStringLiteral("/.local/state"));
     Paths out{folder + u'/' + name + QStringLiteral(".socket"), state + QStringLiteral("/camwright/controllers/") + name};
     if (!QDir().mkpath(out.data))
-        return diagnostic(Code::StoreFailed, {out.data.toStdString(), "the folder cannot be made"});
+        return diagnostic(Code::StoreFailed, {out.data.toStdString(), CW_TEXT("Arguments", "the folder cannot be made")});
     return out;
 }
 

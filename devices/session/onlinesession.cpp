@@ -62,11 +62,11 @@ RequestId OnlineSession::read(std::vector<std::string> names, Reply<std::vector<
             Found out;
             for (const message::IndexedValue& value : answer.values) {
                 if (value.index >= names.size())
-                    return diagnostic(Code::ProtocolBroken, {address, "a value nobody asked for"});
+                    return diagnostic(Code::ProtocolBroken, {address, CW_TEXT("Arguments", "a value nobody asked for")});
                 out.push_back({names[value.index], value.value, value.forced});
             }
             if (out.size() != names.size())
-                return diagnostic(Code::ProtocolBroken, {address, "fewer values than were asked for"});
+                return diagnostic(Code::ProtocolBroken, {address, CW_TEXT("Arguments", "fewer values than were asked for")});
             return out;
         });
 }
@@ -107,7 +107,7 @@ RequestId OnlineSession::describe(std::vector<std::string> names, Reply<std::vec
     return m_impl->request<message::Types, Found>(message::Describe{m_impl->status.program, std::move(names)}, std::move(reply),
         [count, address = address()](message::Types&& answer) -> Result<Found> {
             if (answer.types.size() != count)
-                return diagnostic(Code::ProtocolBroken, {address, "another number of types than was asked for"});
+                return diagnostic(Code::ProtocolBroken, {address, CW_TEXT("Arguments", "another number of types than was asked for")});
             return std::move(answer.types);
         });
 }

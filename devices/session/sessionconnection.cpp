@@ -58,7 +58,7 @@ void OnlineSession::Impl::welcome(const Result<Message>& reply)
 {
     const auto* welcome = reply ? std::get_if<message::Welcome>(&*reply) : nullptr;
     if (welcome == nullptr)
-        return lose(reply ? diagnostic(Code::ProtocolBroken, {connector->address(), "no welcome"}) : reply.error(), false);
+        return lose(reply ? diagnostic(Code::ProtocolBroken, {connector->address(), CW_TEXT("Arguments", "no welcome")}) : reply.error(), false);
     if (welcome->major != message::ProtocolMajor)
         return lose(diagnostic(Code::ProtocolVersion, {std::to_string(welcome->major), std::to_string(message::ProtocolMajor)}), false);
     stage = SessionStage::Authenticating;
@@ -69,7 +69,7 @@ void OnlineSession::Impl::authenticated(const Result<Message>& reply)
 {
     const auto* done = reply ? std::get_if<message::Authenticated>(&*reply) : nullptr;
     if (done == nullptr)
-        return lose(reply ? diagnostic(Code::ProtocolBroken, {connector->address(), "no authentication"}) : reply.error(), false);
+        return lose(reply ? diagnostic(Code::ProtocolBroken, {connector->address(), CW_TEXT("Arguments", "no authentication")}) : reply.error(), false);
     capabilities = done->capabilities;
     stage = SessionStage::Syncing; // the first status makes it online
 }
@@ -170,7 +170,7 @@ void OnlineSession::Impl::ask(const char* what, Message message, Time timeout, T
         return;
     const Then refused = std::move(pending[number].then);
     pending.erase(number);
-    refused(diagnostic(Code::TooMuchAsked, {what, "more than a message", std::to_string(message::MaximumFrame)}));
+    refused(diagnostic(Code::TooMuchAsked, {what, CW_TEXT("Arguments", "more than a message"), std::to_string(message::MaximumFrame)}));
 }
 
 void OnlineSession::Impl::receive(const Envelope& envelope)

@@ -80,7 +80,7 @@ void OnlineSession::Impl::pieceTaken(const std::shared_ptr<Download>& download, 
         return download->finish(answer.error());
     const auto* taken = std::get_if<message::PieceTaken>(&*answer);
     if (taken == nullptr || taken->received > download->sent || taken->received <= download->taken)
-        return lose(diagnostic(Code::ProtocolBroken, {connector->address(), "a wrong answer to piece"}), false);
+        return lose(diagnostic(Code::ProtocolBroken, {connector->address(), CW_TEXT("Arguments", "a wrong answer to piece")}), false);
     download->taken = static_cast<std::size_t>(taken->received);
     --download->inFlight;
     if (download->progress && calls.isOpen(download->call)) {

@@ -1,5 +1,6 @@
 #include "devices/session/connectors.h"
 
+#include "core/base/codes.h"
 #include "devices/transport/socketstream.h"
 
 #include <QTcpSocket>
@@ -14,7 +15,7 @@ TcpConnector::TcpConnector(std::string address, QString host, std::uint16_t port
     : m_address(std::move(address)), m_host(std::move(host)), m_port(port)
 {
     m_timeout.setSingleShot(true);
-    QObject::connect(&m_timeout, &QTimer::timeout, &m_context, [this] { finish(QStringLiteral("no answer within 5 s")); });
+    QObject::connect(&m_timeout, &QTimer::timeout, &m_context, [this] { finish(QString::fromLatin1(CW_TEXT("Arguments", "no answer within 5 s"))); });
 }
 
 TcpConnector::~TcpConnector() = default;

@@ -1,5 +1,7 @@
 #include "devices/transport/socketstream.h"
 
+#include "core/base/codes.h"
+
 #include <QLocalSocket>
 #include <QTcpSocket>
 
@@ -21,7 +23,7 @@ SocketStream::SocketStream(std::unique_ptr<QTcpSocket> socket)
     QTcpSocket* tcp = socket.release();
     tcp->setParent(this);
     m_device = tcp;
-    connect(tcp, &QTcpSocket::disconnected, this, [this] { end(QStringLiteral("the other side closed it")); });
+    connect(tcp, &QTcpSocket::disconnected, this, [this] { end(QString::fromLatin1(CW_TEXT("Arguments", "the other side closed it"))); });
     connect(tcp, &QTcpSocket::errorOccurred, this, [this, tcp] { end(tcp->errorString()); });
     watch();
 }
@@ -33,7 +35,7 @@ SocketStream::SocketStream(std::unique_ptr<QLocalSocket> socket)
     QLocalSocket* local = socket.release();
     local->setParent(this);
     m_device = local;
-    connect(local, &QLocalSocket::disconnected, this, [this] { end(QStringLiteral("the other side closed it")); });
+    connect(local, &QLocalSocket::disconnected, this, [this] { end(QString::fromLatin1(CW_TEXT("Arguments", "the other side closed it"))); });
     connect(local, &QLocalSocket::errorOccurred, this, [this, local] { end(local->errorString()); });
     watch();
 }

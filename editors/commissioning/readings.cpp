@@ -6,6 +6,7 @@
 #include "editors/commissioning/travelbar.h"
 #include "editors/shell/icons.h"
 #include "editors/shell/widgets.h"
+#include "editors/words/words.h"
 
 #include <QGridLayout>
 
@@ -143,7 +144,7 @@ void Readings::showRow(Row row, std::optional<double> value, const QString& unit
 void Readings::present(const AxisStatus& axis, const ReadingsInput& input)
 {
     m_last = axis;
-    const QString unit = QString::fromStdString(axis.unit);
+    const QString unit = words::unitWord(axis.unit);
     m_digits->setValue(shownNumber(axis.position, 3), unit);
     showState(axis);
     showRow(SetPosition, axis.setPosition, unit, 3, false);

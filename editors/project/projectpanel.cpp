@@ -6,6 +6,7 @@
 #include "editors/shell/icons.h"
 #include "editors/shell/registry.h"
 #include "editors/shell/widgets.h"
+#include "editors/words/words.h"
 
 #include <QApplication>
 #include <QContextMenuEvent>
@@ -153,7 +154,7 @@ ProjectTreeModel::Detail ProjectPanel::detail(const ObjectKey& key) const
         return {};
     for (const AxisStatus& axis : status.axes) {
         if (axis.name == key.name)
-            return {QStringLiteral("%1 %2").arg(axis.position, 0, 'f', 3).arg(QString::fromStdString(axis.unit)),
+            return {QStringLiteral("%1 %2").arg(axis.position, 0, 'f', 3).arg(words::unitWord(axis.unit)),
                 axis.error != 0 ? QStringLiteral("error") : axis.moving ? QStringLiteral("triangle-right") : axis.enabled ? QStringLiteral("square") : QStringLiteral("ring")};
     }
     return {};

@@ -1,6 +1,7 @@
 #include "editors/shell/actions.h"
 
 #include "editors/shell/icons.h"
+#include "editors/words/words.h"
 
 #include <QCoreApplication>
 
@@ -51,7 +52,7 @@ QAction* ActionCatalogue::action(const QString& id) const
 QString ActionCatalogue::toolTip(const ActionRow& row) const
 {
     const QAction* made = action(QString::fromLatin1(row.id));
-    QString name = translated(row.text).remove(QLatin1String("...")).remove(QLatin1Char('&'));
+    QString name = words::plainName(translated(row.text));
     if (made && !made->shortcut().isEmpty())
         name += QStringLiteral(" (%1)").arg(made->shortcut().toString(QKeySequence::NativeText));
     QString out = QStringLiteral("<b>%1</b><br>%2").arg(name.toHtmlEscaped(), translated(row.toolTip).toHtmlEscaped());

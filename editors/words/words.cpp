@@ -3,6 +3,7 @@
 #include <QCoreApplication>
 #include <QLibraryInfo>
 #include <QLocale>
+#include <QRegularExpression>
 #include <QTranslator>
 
 #include <memory>
@@ -46,6 +47,22 @@ QString fieldWords(const std::string& field)
     return out.replace(QLatin1Char('_'), QLatin1Char(' '));
 }
 
+/// A phrase among the arguments, marked with CW_TEXT("Arguments", …) at its origin; a number in it stands there as %1. What is
+/// not marked, such as a path, stays as it is.
+std::string phrase(const std::string& argument)
+{
+    const QString whole = QCoreApplication::translate("Arguments", argument.c_str());
+    if (whole != text(argument))
+        return whole.toStdString();
+    static const QRegularExpression number(QStringLiteral("[0-9]+"));
+    const QRegularExpressionMatch match = number.match(whole);
+    if (!match.hasMatch())
+        return argument;
+    const QByteArray marked = QString(whole).replace(match.capturedStart(), match.capturedLength(), QStringLiteral("%1")).toUtf8();
+    const QString translated = QCoreApplication::translate("Arguments", marked.constData());
+    return translated.toUtf8() == marked ? argument : fillTemplate(translated.toStdString(), {match.captured().toStdString()});
+}
+
 /// The suffix of Qt's own translation files.
 QString qtName(const QString& language)
 {
@@ -58,7 +75,32 @@ QString sentence(const Diagnostic& diagnostic)
 {
     const std::string_view english = codeInfo(diagnostic.code).text;
     const QString translated = QCoreApplication::translate("Diagnostics", std::string(english).c_str());
-    return text(fillTemplate(translated.toStdString(), diagnostic.arguments));
+    std::vector<std::string> arguments = diagnostic.arguments;
+    for (std::string& argument : arguments) {
+        if (argument.find(' ') != std::string::npos) // names have no blanks
+            argument = phrase(argument);
+    }
+    return text(fillTemplate(translated.toStdString(), arguments));
+}
+
+QString unitWord(const std::string& unit)
+{
+    static constexpr const char* known[] = {QT_TRANSLATE_NOOP("Units", "mm"), QT_TRANSLATE_NOOP("Units", "mm/s"), QT_TRANSLATE_NOOP("Units", "°/s"),
+        QT_TRANSLATE_NOOP("Units", "ms"), QT_TRANSLATE_NOOP("Units", "s")};
+    for (const char* name : known) {
+        if (unit == name)
+            return QCoreApplication::translate("Units", name);
+    }
+    return text(unit);
+}
+
+QString plainName(QString menuText)
+{
+    static const QRegularExpression key(QStringLiteral("\\s*\\(&.\\)"));
+    menuText.remove(key).remove(QLatin1Char('&'));
+    if (menuText.endsWith(QLatin1String("...")))
+        menuText.chop(3);
+    return menuText;
 }
 
 QString codeId(Code code)
@@ -123,8 +165,7 @@ QString languageName(const QString& language)
 
 bool setLanguage(QCoreApplication& application, const QString& language, const QString& directory)
 {
-    if (directory.isEmpty())
-        registerTranslations();
+    registerTranslations();
     const QString folder = directory.isEmpty() ? QStringLiteral(":/translations") : directory;
     const bool isEnglish = language == QLatin1String("en");
     std::vector<std::unique_ptr<QTranslator>> fresh; // the last one is asked first

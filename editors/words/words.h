@@ -14,6 +14,10 @@ namespace camwright::words {
 
 /// The sentence of a diagnostic in the current language.
 QString sentence(const Diagnostic& diagnostic);
+/// A unit of the controller as the language writes it: "mm" is "мм" in Russian.
+QString unitWord(const std::string& unit);
+/// A menu text as a plain name: without access key ("&Run", "运行(&R)") and without closing dots.
+QString plainName(QString menuText);
 /// "CW3001".
 QString codeId(Code code);
 /// "error", "warning", "note".

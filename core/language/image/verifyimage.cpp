@@ -30,14 +30,14 @@ Result<AreaSizes> areaSizes(const MemoryLayout& layout)
     for (std::size_t i = 0; i < layout.areas.size(); ++i) {
         const ImageArea& area = layout.areas[i];
         if (i > 0 && area.id <= layout.areas[i - 1].id)
-            return unsafe("the memory areas are not in order");
+            return unsafe(CW_TEXT("Arguments", "the memory areas are not in order"));
         if (area.retainedFrom > area.retainedTo || area.retainedTo > area.bytes)
-            return unsafe("the retained range of an area lies outside it");
+            return unsafe(CW_TEXT("Arguments", "the retained range of an area lies outside it"));
         sizes[area.id] = area.bytes;
         total += area.bytes;
     }
     if (total > MaximumMemoryBytes)
-        return unsafe("the memory areas are too large");
+        return unsafe(CW_TEXT("Arguments", "the memory areas are too large"));
     return sizes;
 }
 
@@ -45,10 +45,10 @@ Result<void> verifyLayout(const MemoryLayout& layout, const AreaSizes& sizes)
 {
     for (const InitialValue& initial : layout.initialValues) {
         if (!fits(sizes, initial.address) || initial.value.type != initial.address.type)
-            return unsafe("an initial value lies outside its area");
+            return unsafe(CW_TEXT("Arguments", "an initial value lies outside its area"));
     }
     if (layout.instructionErrorFlag && (!fits(sizes, *layout.instructionErrorFlag) || !layout.instructionErrorFlag->isBit))
-        return unsafe("the flag of failed instructions lies outside its area");
+        return unsafe(CW_TEXT("Arguments", "the flag of failed instructions lies outside its area"));
     return {};
 }
 
@@ -56,7 +56,7 @@ Result<void> verifySymbols(const std::vector<Symbol>& symbols, const AreaSizes& 
 {
     for (std::size_t i = 0; i < symbols.size(); ++i) {
         if (i > 0 && symbols[i].name <= symbols[i - 1].name)
-            return unsafe("the variables are not in order");
+            return unsafe(CW_TEXT("Arguments", "the variables are not in order"));
         if (!fits(sizes, symbols[i].address))
             return unsafe("variable " + symbols[i].name + " lies outside its area");
     }
@@ -74,14 +74,14 @@ bool isSane(const AxisConfiguration& axis)
 Result<void> verifyConfiguration(const Configuration& configuration)
 {
     if (configuration.scanPeriod < Time{} || configuration.watchdog < Time{})
-        return unsafe("a negative scan period or watchdog time");
+        return unsafe(CW_TEXT("Arguments", "a negative scan period or watchdog time"));
     std::set<std::string_view> names;
     for (std::size_t i = 0; i < configuration.axes.size(); ++i) {
         const AxisConfiguration& axis = configuration.axes[i];
         if (!isSane(axis))
             return unsafe("axis " + axis.name + " has an impossible parameter");
         if (!names.insert(axis.name).second || (i > 0 && axis.number <= configuration.axes[i - 1].number))
-            return unsafe("the axes are not in order");
+            return unsafe(CW_TEXT("Arguments", "the axes are not in order"));
     }
     return {};
 }
@@ -91,7 +91,7 @@ Result<void> verifyNames(const IrProgram& program)
     std::set<std::string_view> names;
     for (const IrRoutine& routine : program.routines) {
         if (routine.name.empty() || !names.insert(routine.name).second)
-            return unsafe("a routine has no name, or two have the same");
+            return unsafe(CW_TEXT("Arguments", "a routine has no name, or two have the same"));
     }
     return {};
 }

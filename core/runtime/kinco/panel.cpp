@@ -127,9 +127,9 @@ Result<void> Panel::moveTo(double units, double velocity)
 {
     const double counts = m_axis.scale().toCounts(units);
     if (!(std::abs(counts) <= std::numeric_limits<std::int32_t>::max()))
-        return badNumber(units, "position");
+        return badNumber(units, CW_TEXT("Arguments", "target position"));
     if (!std::isfinite(velocity) || velocity <= 0)
-        return badNumber(velocity, "velocity");
+        return badNumber(velocity, CW_TEXT("Arguments", "commanded velocity"));
     if (auto allowed = mayMove(Motion::None); !allowed)
         return allowed;
     begin(Motion::Position, AxisState::DiscreteMotion);
@@ -142,7 +142,7 @@ Result<void> Panel::moveTo(double units, double velocity)
 Result<void> Panel::run(double velocity)
 {
     if (!std::isfinite(velocity))
-        return badNumber(velocity, "velocity");
+        return badNumber(velocity, CW_TEXT("Arguments", "commanded velocity"));
     if (auto allowed = mayMove(Motion::Velocity); !allowed)
         return allowed;
     if (m_motion == Motion::None)

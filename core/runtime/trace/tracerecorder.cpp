@@ -16,7 +16,7 @@ Result<void> TraceRecorder::check(const TraceSetup& setup)
     if (!(setup.preTrigger >= 0 && setup.preTrigger < 1))
         return diagnostic(Code::TraceBadSetting, {"preTrigger", "0 to below 1"});
     if (setup.trigger != TriggerKind::Immediate && !std::isfinite(setup.triggerLevel))
-        return diagnostic(Code::TraceBadSetting, {"triggerLevel", "any finite number"});
+        return diagnostic(Code::TraceBadSetting, {"triggerLevel", CW_TEXT("Arguments", "any finite number")});
     return {};
 }
 

@@ -73,6 +73,28 @@ private slots:
         QCOMPARE(words::placeText({{ObjectKind::Program, "Main"}, "source", {4, 7, 4, 9}, {}}), QString("Main, строка 4, столбец 7"));
     }
 
+    void phrasesAmongTheArgumentsAreTranslatedNamesAreNot()
+    {
+        QVERIFY(words::setLanguage(application(), "ru"));
+        QVERIFY(words::sentence(diagnostic(Code::RetainedDropped, {"both stored sets are damaged"})).contains("оба сохранённых набора повреждены"));
+        QVERIFY(words::sentence(diagnostic(Code::RetainedDropped, {"nothing came for 10 s"})).contains("ничего не приходило 10 с"));
+        QVERIFY(words::sentence(diagnostic(Code::RetainedDropped, {"/home/anna/my data 7"})).contains("/home/anna/my data 7"));
+    }
+
+    void unitsAreWrittenAsTheLanguageDoes()
+    {
+        QVERIFY(words::setLanguage(application(), "ru"));
+        QCOMPARE(words::unitWord("mm"), QString("мм"));
+        QCOMPARE(words::unitWord("lamps"), QString("lamps"));
+    }
+
+    void plainNameHasNoAccessKeyAndNoDots()
+    {
+        QCOMPARE(words::plainName("&Download..."), QString("Download"));
+        QCOMPARE(words::plainName("下载(&D)..."), QString("下载"));
+        QCOMPARE(words::plainName("Ос&танов"), QString("Останов"));
+    }
+
     void countsTakeTheFormsOfEachLanguage()
     {
         const auto ports = [](int count) { return QCoreApplication::translate("camwright::NewProjectDialog", "%n CAN ports", nullptr, count); };
