@@ -1058,6 +1058,10 @@
         <translation>«%1» похоже на несколько операндов. Разделите их запятыми: %2.</translation>
     </message>
     <message>
+        <source>&quot;%1&quot; mixes Latin letters with letters of another alphabet that look alike. Whoever types the name may not find it.</source>
+        <translation>В «%1» латинские буквы смешаны с похожими буквами другого алфавита. Кто наберёт это имя, может его не найти.</translation>
+    </message>
+    <message>
         <source>&quot;%1&quot; names bit %2. The bits are 0 to %3.</source>
         <translation>«%1» называет бит %2. Биты имеют номера от 0 до %3.</translation>
     </message>

@@ -1056,6 +1056,10 @@
         <translation>“%1”看起来是多个操作数。用逗号分开：%2。</translation>
     </message>
     <message>
+        <source>&quot;%1&quot; mixes Latin letters with letters of another alphabet that look alike. Whoever types the name may not find it.</source>
+        <translation>“%1”混有拉丁字母和形状相似的其他字母。输入此名称的人可能找不到它。</translation>
+    </message>
+    <message>
         <source>&quot;%1&quot; names bit %2. The bits are 0 to %3.</source>
         <translation>“%1”指定了位 %2。位号为 0 至 %3。</translation>
     </message>
