@@ -22,6 +22,16 @@
     </message>
 </context>
 <context>
+    <name>camwright::FindBar</name>
+    <message numerus="yes">
+        <source>%n hit(s)</source>
+        <translation>
+            <numerusform>%n hit</numerusform>
+            <numerusform>%n hits</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>camwright::MainWindow</name>
     <message numerus="yes">
         <source>The edits are kept: %n steps.</source>
@@ -52,6 +62,23 @@
         <translation>
             <numerusform>up to %n axis</numerusform>
             <numerusform>up to %n axes</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>camwright::ProgramEditor</name>
+    <message numerus="yes">
+        <source>%n place(s) replaced. Ctrl+Z takes them back.</source>
+        <translation>
+            <numerusform>%n place replaced. Ctrl+Z takes it back.</numerusform>
+            <numerusform>%n places replaced. Ctrl+Z takes them back.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>The pasted text has marks of a document, not of a program: %n place(s). It can be cleaned.</source>
+        <translation>
+            <numerusform>The pasted text has marks of a document, not of a program: %n place. It can be cleaned.</numerusform>
+            <numerusform>The pasted text has marks of a document, not of a program: %n places. It can be cleaned.</numerusform>
         </translation>
     </message>
 </context>

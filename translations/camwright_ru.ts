@@ -68,6 +68,10 @@
         <translation>&amp;Форсировать выбранное значение</translation>
     </message>
     <message>
+        <source>&amp;Import Kinco Program Text...</source>
+        <translation>&amp;Импортировать текст программы Kinco...</translation>
+    </message>
+    <message>
         <source>&amp;New Project...</source>
         <translation>&amp;Новый проект...</translation>
     </message>
@@ -152,6 +156,14 @@
         <translation>Закрывает проект и показывает начальную страницу.</translation>
     </message>
     <message>
+        <source>Co&amp;mment Lines</source>
+        <translation>За&amp;комментировать строки</translation>
+    </message>
+    <message>
+        <source>Complete &amp;Word</source>
+        <translation>Дополнить сло&amp;во</translation>
+    </message>
+    <message>
         <source>Connects to the controller at the address.</source>
         <translation>Подключается к контроллеру по этому адресу.</translation>
     </message>
@@ -192,8 +204,16 @@
         <translation>&amp;Вперёд</translation>
     </message>
     <message>
+        <source>Find &amp;Next</source>
+        <translation>Найти &amp;следующее</translation>
+    </message>
+    <message>
         <source>Find A&amp;ction...</source>
         <translation>Найти &amp;действие...</translation>
+    </message>
+    <message>
+        <source>Find Pre&amp;vious</source>
+        <translation>Найти &amp;предыдущее</translation>
     </message>
     <message>
         <source>Finds any action by a part of its name.</source>
@@ -222,6 +242,14 @@
     <message>
         <source>Go O&amp;ffline</source>
         <translation>&amp;Отключиться</translation>
+    </message>
+    <message>
+        <source>Goes to the hit before.</source>
+        <translation>Переходит к предыдущему совпадению.</translation>
+    </message>
+    <message>
+        <source>Goes to the next hit.</source>
+        <translation>Переходит к следующему совпадению.</translation>
     </message>
     <message>
         <source>Goes to the place after.</source>
@@ -260,6 +288,10 @@
         <translation>Раскладка «На&amp;ладка»</translation>
     </message>
     <message>
+        <source>Lists what may be typed here.</source>
+        <translation>Показывает, что можно здесь написать.</translation>
+    </message>
+    <message>
         <source>Lists where the symbol is used.</source>
         <translation>Перечисляет места, где используется символ.</translation>
     </message>
@@ -296,6 +328,10 @@
         <translation>Возвращает все панели на исходные места.</translation>
     </message>
     <message>
+        <source>Puts the selected lines into comments, or takes them out.</source>
+        <translation>Превращает выделенные строки в комментарии или обратно.</translation>
+    </message>
+    <message>
         <source>R&amp;eplace...</source>
         <translation>&amp;Заменить...</translation>
     </message>
@@ -314,6 +350,10 @@
     <message>
         <source>Renames the object or symbol.</source>
         <translation>Переименовывает объект или символ.</translation>
+    </message>
+    <message>
+        <source>Replaces this program by the text of a KincoBuilder .ilp file.</source>
+        <translation>Заменяет эту программу текстом файла .ilp из KincoBuilder.</translation>
     </message>
     <message>
         <source>Save &amp;As...</source>
@@ -2474,6 +2514,25 @@
     </message>
 </context>
 <context>
+    <name>camwright::ChannelListModel</name>
+    <message>
+        <source>Channel</source>
+        <translation>Канал</translation>
+    </message>
+    <message>
+        <source>Part of the next recording.</source>
+        <translation>Входит в следующую запись.</translation>
+    </message>
+    <message>
+        <source>at A</source>
+        <translation>у A</translation>
+    </message>
+    <message>
+        <source>at B</source>
+        <translation>у B</translation>
+    </message>
+</context>
+<context>
     <name>camwright::CommissioningEditor</name>
     <message>
         <source>%1 · Commissioning</source>
@@ -2830,6 +2889,73 @@
     <message>
         <source>New project for %1</source>
         <translation>Новый проект для %1</translation>
+    </message>
+</context>
+<context>
+    <name>camwright::FindBar</name>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 из %2</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n hit(s)</source>
+        <translation>
+            <numerusform>%n совпадение</numerusform>
+            <numerusform>%n совпадения</numerusform>
+            <numerusform>%n совпадений</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Close (Esc)</source>
+        <translation>Закрыть (Esc)</translation>
+    </message>
+    <message>
+        <source>Find</source>
+        <translation>Найти</translation>
+    </message>
+    <message>
+        <source>Next hit (F3 or Enter)</source>
+        <translation>Следующее совпадение (F3 или Enter)</translation>
+    </message>
+    <message>
+        <source>Previous hit (Shift+F3)</source>
+        <translation>Предыдущее совпадение (Shift+F3)</translation>
+    </message>
+    <message>
+        <source>Regular expression; \1 in the replacement stands for the first group</source>
+        <translation>Регулярное выражение; \1 в замене означает первую группу</translation>
+    </message>
+    <message>
+        <source>Replace</source>
+        <translation>Заменить</translation>
+    </message>
+    <message>
+        <source>Replace All</source>
+        <translation>Заменить все</translation>
+    </message>
+    <message>
+        <source>Replace every hit; one step to undo</source>
+        <translation>Заменить все совпадения; отменяется одним шагом</translation>
+    </message>
+    <message>
+        <source>Replace this hit and go to the next</source>
+        <translation>Заменить это совпадение и перейти к следующему</translation>
+    </message>
+    <message>
+        <source>Replace with</source>
+        <translation>Заменить на</translation>
+    </message>
+    <message>
+        <source>Tell upper from lower case</source>
+        <translation>Различать прописные и строчные</translation>
+    </message>
+    <message>
+        <source>Whole words only; %M0.1 is one word</source>
+        <translation>Только слова целиком; %M0.1 — одно слово</translation>
+    </message>
+    <message>
+        <source>not found</source>
+        <translation>не найдено</translation>
     </message>
 </context>
 <context>
@@ -3736,6 +3862,65 @@
     </message>
 </context>
 <context>
+    <name>camwright::ProgramEditor</name>
+    <message>
+        <source>&quot;%1&quot; cannot be read: %2.</source>
+        <translation>«%1» не удаётся прочитать: %2.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; has no definition in this project.</source>
+        <translation>У «%1» нет определения в этом проекте.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n place(s) replaced. Ctrl+Z takes them back.</source>
+        <translation>
+            <numerusform>Заменено: %n место. Ctrl+Z вернёт как было.</numerusform>
+            <numerusform>Заменено: %n места. Ctrl+Z вернёт как было.</numerusform>
+            <numerusform>Заменено: %n мест. Ctrl+Z вернёт как было.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Clean the Pasted Text</source>
+        <translation>Очистить вставленный текст</translation>
+    </message>
+    <message>
+        <source>Import Kinco Program Text</source>
+        <translation>Импорт текста программы Kinco</translation>
+    </message>
+    <message>
+        <source>Keep It</source>
+        <translation>Оставить как есть</translation>
+    </message>
+    <message>
+        <source>KincoBuilder programs (*.ilp *.il *.txt);;All files (*)</source>
+        <translation>Программы KincoBuilder (*.ilp *.il *.txt);;Все файлы (*)</translation>
+    </message>
+    <message>
+        <source>Program</source>
+        <translation>Программа</translation>
+    </message>
+    <message>
+        <source>Program text</source>
+        <translation>Текст программы</translation>
+    </message>
+    <message numerus="yes">
+        <source>The pasted text has marks of a document, not of a program: %n place(s). It can be cleaned.</source>
+        <translation>
+            <numerusform>Во вставленном тексте есть знаки документа, а не программы: %n место. Его можно очистить.</numerusform>
+            <numerusform>Во вставленном тексте есть знаки документа, а не программы: %n места. Его можно очистить.</numerusform>
+            <numerusform>Во вставленном тексте есть знаки документа, а не программы: %n мест. Его можно очистить.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The program was replaced by the text of &quot;%1&quot;. Ctrl+Z takes it back.</source>
+        <translation>Программа заменена текстом из «%1». Ctrl+Z вернёт прежнюю.</translation>
+    </message>
+    <message>
+        <source>line %1, column %2</source>
+        <translation>строка %1, столбец %2</translation>
+    </message>
+</context>
+<context>
     <name>camwright::ProjectDocument</name>
     <message>
         <source>Reload from disk</source>
@@ -4067,6 +4252,17 @@
     <message>
         <source>Yesterday</source>
         <translation>Вчера</translation>
+    </message>
+</context>
+<context>
+    <name>camwright::ScopePlot</name>
+    <message>
+        <source>Curves of the recording</source>
+        <translation>Кривые записи</translation>
+    </message>
+    <message>
+        <source>Drag to zoom, wheel to zoom time, Shift and drag to move, double-click to fit; drag a cursor to measure.</source>
+        <translation>Перетаскивание — увеличение, колесо — масштаб времени, Shift и перетаскивание — сдвиг, двойной щелчок — вся запись; для измерения перетащите курсор.</translation>
     </message>
 </context>
 <context>
@@ -4477,6 +4673,157 @@
     </message>
 </context>
 <context>
+    <name>camwright::TracePanel</name>
+    <message>
+        <source>   RMS %1   slope %2 %3/s</source>
+        <translation>   СКЗ %1   наклон %2 %3/с</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; cannot be written: %2. Choose another folder.</source>
+        <translation>«%1» не удаётся записать: %2. Выберите другую папку.</translation>
+    </message>
+    <message>
+        <source>%1   A %2   B %3   Δt %4 s   Δy %5 %6   min %7   max %8   mean %9</source>
+        <translation>%1   A %2   B %3   Δt %4 с   Δy %5 %6   мин %7   макс %8   сред %9</translation>
+    </message>
+    <message>
+        <source>%1 samples</source>
+        <translation>отсчётов: %1</translation>
+    </message>
+    <message>
+        <source>A lane for each channel</source>
+        <translation>Каждому каналу своя полоса</translation>
+    </message>
+    <message>
+        <source>Add a channel</source>
+        <translation>Добавить канал</translation>
+    </message>
+    <message>
+        <source>Address, variable or axis value like axis.Feed.position; Enter adds it</source>
+        <translation>Адрес, переменная или значение оси, например axis.Feed.position; Enter добавляет</translation>
+    </message>
+    <message>
+        <source>All channels in one lane</source>
+        <translation>Все каналы в одной полосе</translation>
+    </message>
+    <message>
+        <source>Arrangement</source>
+        <translation>Расположение</translation>
+    </message>
+    <message>
+        <source>CSV files (*.csv)</source>
+        <translation>Файлы CSV (*.csv)</translation>
+    </message>
+    <message>
+        <source>CSV...</source>
+        <translation>CSV...</translation>
+    </message>
+    <message>
+        <source>Channels</source>
+        <translation>Каналы</translation>
+    </message>
+    <message>
+        <source>End</source>
+        <translation>Закончить</translation>
+    </message>
+    <message>
+        <source>Export as CSV</source>
+        <translation>Экспорт в CSV</translation>
+    </message>
+    <message>
+        <source>Export the Recording</source>
+        <translation>Экспорт записи</translation>
+    </message>
+    <message>
+        <source>Fills in the channels that belong together</source>
+        <translation>Добавляет каналы, которые относятся друг к другу</translation>
+    </message>
+    <message>
+        <source>Fit</source>
+        <translation>Вся запись</translation>
+    </message>
+    <message>
+        <source>Live</source>
+        <translation>Вживую</translation>
+    </message>
+    <message>
+        <source>Move of %1</source>
+        <translation>Движение %1</translation>
+    </message>
+    <message>
+        <source>Oscilloscope</source>
+        <translation>Осциллограф</translation>
+    </message>
+    <message>
+        <source>Overlaid</source>
+        <translation>Вместе</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>Пауза</translation>
+    </message>
+    <message>
+        <source>Preset</source>
+        <translation>Набор</translation>
+    </message>
+    <message>
+        <source>Record</source>
+        <translation>Запись</translation>
+    </message>
+    <message>
+        <source>Record, then drag the two cursors to measure.</source>
+        <translation>Сделайте запись, затем перетащите два курсора для измерения.</translation>
+    </message>
+    <message>
+        <source>Show the whole recording (double-click in the curves)</source>
+        <translation>Показать запись целиком (двойной щелчок на кривых)</translation>
+    </message>
+    <message>
+        <source>Stacked</source>
+        <translation>Друг под другом</translation>
+    </message>
+    <message>
+        <source>Start or end a recording of the channels</source>
+        <translation>Начать или закончить запись каналов</translation>
+    </message>
+    <message>
+        <source>The newest samples stay in view</source>
+        <translation>Новейшие отсчёты остаются на виду</translation>
+    </message>
+    <message>
+        <source>The recording is in &quot;%1&quot;.</source>
+        <translation>Запись сохранена в «%1».</translation>
+    </message>
+    <message>
+        <source>The view stays; the recording goes on</source>
+        <translation>Вид стоит на месте; запись продолжается</translation>
+    </message>
+    <message>
+        <source>What is recorded; the mark shows or hides a curve</source>
+        <translation>Что записывается; отметка показывает или скрывает кривую</translation>
+    </message>
+    <message>
+        <source>Write the recording to a CSV file</source>
+        <translation>Записать в файл CSV</translation>
+    </message>
+    <message>
+        <source>offline</source>
+        <translation>не в сети</translation>
+    </message>
+    <message>
+        <source>ready</source>
+        <translation>готово</translation>
+    </message>
+    <message>
+        <source>recording, %1 samples</source>
+        <translation>запись, отсчётов: %1</translation>
+    </message>
+    <message>
+        <source>waiting</source>
+        <translation>ожидание</translation>
+    </message>
+</context>
+<context>
     <name>camwright::TransmissionView</name>
     <message>
         <source>%1 mm per motor turn</source>
@@ -4524,6 +4871,77 @@
     <message>
         <source>target %1</source>
         <translation>цель %1</translation>
+    </message>
+</context>
+<context>
+    <name>camwright::TriggerBar</name>
+    <message>
+        <source>%</source>
+        <translation>%</translation>
+    </message>
+    <message>
+        <source>Above level</source>
+        <translation>Выше уровня</translation>
+    </message>
+    <message>
+        <source>At once, live</source>
+        <translation>Сразу, вживую</translation>
+    </message>
+    <message>
+        <source>Below level</source>
+        <translation>Ниже уровня</translation>
+    </message>
+    <message>
+        <source>Falling edge of</source>
+        <translation>Спад сигнала</translation>
+    </message>
+    <message>
+        <source>How much of the recording lies before the trigger.</source>
+        <translation>Какая доля записи лежит до запуска.</translation>
+    </message>
+    <message>
+        <source>Length</source>
+        <translation>Длина</translation>
+    </message>
+    <message>
+        <source>Length of a triggered recording.</source>
+        <translation>Длина записи по запуску.</translation>
+    </message>
+    <message>
+        <source>Part before the trigger</source>
+        <translation>Часть до запуска</translation>
+    </message>
+    <message>
+        <source>Rising edge of</source>
+        <translation>Фронт сигнала</translation>
+    </message>
+    <message>
+        <source>Trigger</source>
+        <translation>Запуск</translation>
+    </message>
+    <message>
+        <source>Trigger channel</source>
+        <translation>Канал запуска</translation>
+    </message>
+    <message>
+        <source>Trigger level</source>
+        <translation>Уровень запуска</translation>
+    </message>
+    <message>
+        <source>Value at which the recording is triggered.</source>
+        <translation>Значение, при котором запускается запись.</translation>
+    </message>
+    <message>
+        <source>Value that is watched for the trigger</source>
+        <translation>Значение, за которым следит запуск</translation>
+    </message>
+    <message>
+        <source>What starts the recording</source>
+        <translation>Что запускает запись</translation>
+    </message>
+    <message>
+        <source>s</source>
+        <translation>с</translation>
     </message>
 </context>
 <context>

@@ -68,6 +68,10 @@
         <translation>强制所选值(&amp;F)</translation>
     </message>
     <message>
+        <source>&amp;Import Kinco Program Text...</source>
+        <translation>导入 Kinco 程序文本(&amp;I)...</translation>
+    </message>
+    <message>
         <source>&amp;New Project...</source>
         <translation>新建工程(&amp;N)...</translation>
     </message>
@@ -152,6 +156,14 @@
         <translation>关闭工程并显示起始页。</translation>
     </message>
     <message>
+        <source>Co&amp;mment Lines</source>
+        <translation>注释行(&amp;M)</translation>
+    </message>
+    <message>
+        <source>Complete &amp;Word</source>
+        <translation>补全单词(&amp;W)</translation>
+    </message>
+    <message>
         <source>Connects to the controller at the address.</source>
         <translation>连接到该地址的控制器。</translation>
     </message>
@@ -192,8 +204,16 @@
         <translation>前进(&amp;O)</translation>
     </message>
     <message>
+        <source>Find &amp;Next</source>
+        <translation>查找下一个(&amp;N)</translation>
+    </message>
+    <message>
         <source>Find A&amp;ction...</source>
         <translation>查找操作(&amp;C)...</translation>
+    </message>
+    <message>
+        <source>Find Pre&amp;vious</source>
+        <translation>查找上一个(&amp;V)</translation>
     </message>
     <message>
         <source>Finds any action by a part of its name.</source>
@@ -222,6 +242,14 @@
     <message>
         <source>Go O&amp;ffline</source>
         <translation>转到离线(&amp;F)</translation>
+    </message>
+    <message>
+        <source>Goes to the hit before.</source>
+        <translation>转到上一处匹配。</translation>
+    </message>
+    <message>
+        <source>Goes to the next hit.</source>
+        <translation>转到下一处匹配。</translation>
     </message>
     <message>
         <source>Goes to the place after.</source>
@@ -260,6 +288,10 @@
         <translation>布局：调试(&amp;O)</translation>
     </message>
     <message>
+        <source>Lists what may be typed here.</source>
+        <translation>列出此处可输入的内容。</translation>
+    </message>
+    <message>
         <source>Lists where the symbol is used.</source>
         <translation>列出使用该符号的位置。</translation>
     </message>
@@ -296,6 +328,10 @@
         <translation>将所有停靠栏放回最初的位置。</translation>
     </message>
     <message>
+        <source>Puts the selected lines into comments, or takes them out.</source>
+        <translation>将所选行变为注释，或取消注释。</translation>
+    </message>
+    <message>
         <source>R&amp;eplace...</source>
         <translation>替换(&amp;E)...</translation>
     </message>
@@ -314,6 +350,10 @@
     <message>
         <source>Renames the object or symbol.</source>
         <translation>重命名对象或符号。</translation>
+    </message>
+    <message>
+        <source>Replaces this program by the text of a KincoBuilder .ilp file.</source>
+        <translation>用 KincoBuilder .ilp 文件的文本替换此程序。</translation>
     </message>
     <message>
         <source>Save &amp;As...</source>
@@ -2472,6 +2512,25 @@
     </message>
 </context>
 <context>
+    <name>camwright::ChannelListModel</name>
+    <message>
+        <source>Channel</source>
+        <translation>通道</translation>
+    </message>
+    <message>
+        <source>Part of the next recording.</source>
+        <translation>包含在下一次记录中。</translation>
+    </message>
+    <message>
+        <source>at A</source>
+        <translation>在 A 处</translation>
+    </message>
+    <message>
+        <source>at B</source>
+        <translation>在 B 处</translation>
+    </message>
+</context>
+<context>
     <name>camwright::CommissioningEditor</name>
     <message>
         <source>%1 · Commissioning</source>
@@ -2826,6 +2885,71 @@
     <message>
         <source>New project for %1</source>
         <translation>为 %1 新建工程</translation>
+    </message>
+</context>
+<context>
+    <name>camwright::FindBar</name>
+    <message>
+        <source>%1 of %2</source>
+        <translation>第 %1 个，共 %2 个</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n hit(s)</source>
+        <translation>
+            <numerusform>%n 处匹配</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Close (Esc)</source>
+        <translation>关闭 (Esc)</translation>
+    </message>
+    <message>
+        <source>Find</source>
+        <translation>查找</translation>
+    </message>
+    <message>
+        <source>Next hit (F3 or Enter)</source>
+        <translation>下一处匹配（F3 或 Enter）</translation>
+    </message>
+    <message>
+        <source>Previous hit (Shift+F3)</source>
+        <translation>上一处匹配 (Shift+F3)</translation>
+    </message>
+    <message>
+        <source>Regular expression; \1 in the replacement stands for the first group</source>
+        <translation>正则表达式；替换文本中的 \1 表示第一组</translation>
+    </message>
+    <message>
+        <source>Replace</source>
+        <translation>替换</translation>
+    </message>
+    <message>
+        <source>Replace All</source>
+        <translation>全部替换</translation>
+    </message>
+    <message>
+        <source>Replace every hit; one step to undo</source>
+        <translation>替换每一处；一步即可撤销</translation>
+    </message>
+    <message>
+        <source>Replace this hit and go to the next</source>
+        <translation>替换此处并转到下一处</translation>
+    </message>
+    <message>
+        <source>Replace with</source>
+        <translation>替换为</translation>
+    </message>
+    <message>
+        <source>Tell upper from lower case</source>
+        <translation>区分大小写</translation>
+    </message>
+    <message>
+        <source>Whole words only; %M0.1 is one word</source>
+        <translation>仅整词；%M0.1 为一个词</translation>
+    </message>
+    <message>
+        <source>not found</source>
+        <translation>未找到</translation>
     </message>
 </context>
 <context>
@@ -3724,6 +3848,61 @@
     </message>
 </context>
 <context>
+    <name>camwright::ProgramEditor</name>
+    <message>
+        <source>&quot;%1&quot; cannot be read: %2.</source>
+        <translation>无法读取“%1”：%2。</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; has no definition in this project.</source>
+        <translation>“%1”在此工程中没有定义。</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n place(s) replaced. Ctrl+Z takes them back.</source>
+        <translation>
+            <numerusform>已替换 %n 处。Ctrl+Z 可恢复。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Clean the Pasted Text</source>
+        <translation>清理粘贴的文本</translation>
+    </message>
+    <message>
+        <source>Import Kinco Program Text</source>
+        <translation>导入 Kinco 程序文本</translation>
+    </message>
+    <message>
+        <source>Keep It</source>
+        <translation>保留原程序</translation>
+    </message>
+    <message>
+        <source>KincoBuilder programs (*.ilp *.il *.txt);;All files (*)</source>
+        <translation>KincoBuilder 程序 (*.ilp *.il *.txt);;所有文件 (*)</translation>
+    </message>
+    <message>
+        <source>Program</source>
+        <translation>编程</translation>
+    </message>
+    <message>
+        <source>Program text</source>
+        <translation>程序文本</translation>
+    </message>
+    <message numerus="yes">
+        <source>The pasted text has marks of a document, not of a program: %n place(s). It can be cleaned.</source>
+        <translation>
+            <numerusform>粘贴的文本含有文档标记，而非程序内容：%n 处。可以清除。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The program was replaced by the text of &quot;%1&quot;. Ctrl+Z takes it back.</source>
+        <translation>程序已替换为“%1”的文本。Ctrl+Z 可恢复。</translation>
+    </message>
+    <message>
+        <source>line %1, column %2</source>
+        <translation>第 %1 行，第 %2 列</translation>
+    </message>
+</context>
+<context>
     <name>camwright::ProjectDocument</name>
     <message>
         <source>Reload from disk</source>
@@ -4051,6 +4230,17 @@
     <message>
         <source>Yesterday</source>
         <translation>昨天</translation>
+    </message>
+</context>
+<context>
+    <name>camwright::ScopePlot</name>
+    <message>
+        <source>Curves of the recording</source>
+        <translation>记录的曲线</translation>
+    </message>
+    <message>
+        <source>Drag to zoom, wheel to zoom time, Shift and drag to move, double-click to fit; drag a cursor to measure.</source>
+        <translation>拖动缩放，滚轮缩放时间，Shift 加拖动平移，双击适应；拖动游标进行测量。</translation>
     </message>
 </context>
 <context>
@@ -4457,6 +4647,157 @@
     </message>
 </context>
 <context>
+    <name>camwright::TracePanel</name>
+    <message>
+        <source>   RMS %1   slope %2 %3/s</source>
+        <translation>   RMS %1   斜率 %2 %3/s</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; cannot be written: %2. Choose another folder.</source>
+        <translation>无法写入“%1”：%2。选择另一个文件夹。</translation>
+    </message>
+    <message>
+        <source>%1   A %2   B %3   Δt %4 s   Δy %5 %6   min %7   max %8   mean %9</source>
+        <translation>%1   A %2   B %3   Δt %4 s   Δy %5 %6   最小 %7   最大 %8   平均 %9</translation>
+    </message>
+    <message>
+        <source>%1 samples</source>
+        <translation>%1 个采样</translation>
+    </message>
+    <message>
+        <source>A lane for each channel</source>
+        <translation>每个通道一栏</translation>
+    </message>
+    <message>
+        <source>Add a channel</source>
+        <translation>添加通道</translation>
+    </message>
+    <message>
+        <source>Address, variable or axis value like axis.Feed.position; Enter adds it</source>
+        <translation>地址、变量或轴值，如 axis.Feed.position；按 Enter 添加</translation>
+    </message>
+    <message>
+        <source>All channels in one lane</source>
+        <translation>所有通道在同一栏</translation>
+    </message>
+    <message>
+        <source>Arrangement</source>
+        <translation>排列</translation>
+    </message>
+    <message>
+        <source>CSV files (*.csv)</source>
+        <translation>CSV 文件 (*.csv)</translation>
+    </message>
+    <message>
+        <source>CSV...</source>
+        <translation>CSV...</translation>
+    </message>
+    <message>
+        <source>Channels</source>
+        <translation>通道</translation>
+    </message>
+    <message>
+        <source>End</source>
+        <translation>结束</translation>
+    </message>
+    <message>
+        <source>Export as CSV</source>
+        <translation>导出为 CSV</translation>
+    </message>
+    <message>
+        <source>Export the Recording</source>
+        <translation>导出记录</translation>
+    </message>
+    <message>
+        <source>Fills in the channels that belong together</source>
+        <translation>填入相关的一组通道</translation>
+    </message>
+    <message>
+        <source>Fit</source>
+        <translation>适应</translation>
+    </message>
+    <message>
+        <source>Live</source>
+        <translation>实时</translation>
+    </message>
+    <message>
+        <source>Move of %1</source>
+        <translation>%1 的运动</translation>
+    </message>
+    <message>
+        <source>Oscilloscope</source>
+        <translation>示波器</translation>
+    </message>
+    <message>
+        <source>Overlaid</source>
+        <translation>叠加</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>暂停</translation>
+    </message>
+    <message>
+        <source>Preset</source>
+        <translation>预设</translation>
+    </message>
+    <message>
+        <source>Record</source>
+        <translation>记录</translation>
+    </message>
+    <message>
+        <source>Record, then drag the two cursors to measure.</source>
+        <translation>先记录，再拖动两个游标进行测量。</translation>
+    </message>
+    <message>
+        <source>Show the whole recording (double-click in the curves)</source>
+        <translation>显示全部记录（在曲线中双击）</translation>
+    </message>
+    <message>
+        <source>Stacked</source>
+        <translation>分栏</translation>
+    </message>
+    <message>
+        <source>Start or end a recording of the channels</source>
+        <translation>开始或结束通道的记录</translation>
+    </message>
+    <message>
+        <source>The newest samples stay in view</source>
+        <translation>最新的采样保持在视图中</translation>
+    </message>
+    <message>
+        <source>The recording is in &quot;%1&quot;.</source>
+        <translation>记录已保存到“%1”。</translation>
+    </message>
+    <message>
+        <source>The view stays; the recording goes on</source>
+        <translation>视图停住；记录继续</translation>
+    </message>
+    <message>
+        <source>What is recorded; the mark shows or hides a curve</source>
+        <translation>要记录的内容；勾选可显示或隐藏曲线</translation>
+    </message>
+    <message>
+        <source>Write the recording to a CSV file</source>
+        <translation>将记录写入 CSV 文件</translation>
+    </message>
+    <message>
+        <source>offline</source>
+        <translation>离线</translation>
+    </message>
+    <message>
+        <source>ready</source>
+        <translation>就绪</translation>
+    </message>
+    <message>
+        <source>recording, %1 samples</source>
+        <translation>正在记录，%1 个采样</translation>
+    </message>
+    <message>
+        <source>waiting</source>
+        <translation>等待中</translation>
+    </message>
+</context>
+<context>
     <name>camwright::TransmissionView</name>
     <message>
         <source>%1 mm per motor turn</source>
@@ -4504,6 +4845,77 @@
     <message>
         <source>target %1</source>
         <translation>目标 %1</translation>
+    </message>
+</context>
+<context>
+    <name>camwright::TriggerBar</name>
+    <message>
+        <source>%</source>
+        <translation>%</translation>
+    </message>
+    <message>
+        <source>Above level</source>
+        <translation>高于电平</translation>
+    </message>
+    <message>
+        <source>At once, live</source>
+        <translation>立即，实时</translation>
+    </message>
+    <message>
+        <source>Below level</source>
+        <translation>低于电平</translation>
+    </message>
+    <message>
+        <source>Falling edge of</source>
+        <translation>下降沿</translation>
+    </message>
+    <message>
+        <source>How much of the recording lies before the trigger.</source>
+        <translation>记录中有多少位于触发之前。</translation>
+    </message>
+    <message>
+        <source>Length</source>
+        <translation>长度</translation>
+    </message>
+    <message>
+        <source>Length of a triggered recording.</source>
+        <translation>触发记录的长度。</translation>
+    </message>
+    <message>
+        <source>Part before the trigger</source>
+        <translation>触发前部分</translation>
+    </message>
+    <message>
+        <source>Rising edge of</source>
+        <translation>上升沿</translation>
+    </message>
+    <message>
+        <source>Trigger</source>
+        <translation>触发</translation>
+    </message>
+    <message>
+        <source>Trigger channel</source>
+        <translation>触发通道</translation>
+    </message>
+    <message>
+        <source>Trigger level</source>
+        <translation>触发电平</translation>
+    </message>
+    <message>
+        <source>Value at which the recording is triggered.</source>
+        <translation>触发记录的值。</translation>
+    </message>
+    <message>
+        <source>Value that is watched for the trigger</source>
+        <translation>为触发而监视的值</translation>
+    </message>
+    <message>
+        <source>What starts the recording</source>
+        <translation>启动记录的条件</translation>
+    </message>
+    <message>
+        <source>s</source>
+        <translation>s</translation>
     </message>
 </context>
 <context>
