@@ -309,7 +309,7 @@
     </message>
     <message>
         <source>Open the &amp;Demo Machine</source>
-        <translation>Открыть &amp;демонстрационную машину</translation>
+        <translation>Открыть &amp;демомашину</translation>
     </message>
     <message>
         <source>Opens a machine with two simulated axes and connects to its virtual controller.</source>
@@ -4340,7 +4340,7 @@
     </message>
     <message>
         <source>Hold jog: the axis moves</source>
-        <translation>Держите кнопку толчка: ось движется</translation>
+        <translation>Толчок: ось движется</translation>
     </message>
     <message>
         <source>Instructions, variables, watch and force. 10 minutes</source>
@@ -4376,7 +4376,7 @@
     </message>
     <message>
         <source>Open the demo machine</source>
-        <translation>Открыть демонстрационную машину</translation>
+        <translation>Открыть демомашину</translation>
     </message>
     <message>
         <source>Opens a machine with two simulated axes and connects to its virtual controller.</source>
