@@ -72,10 +72,7 @@ void Connection::withControl(std::function<void()> then)
 {
     if (!m_context.isOnline())
         return;
-    if (m_context.status().control == ControlHolder::You) {
-        then();
-        return;
-    }
+    // Asked for even if the newest status says that it is held: that may be older than a lapse of the lease.
     m_link->takeControl([this, then = std::move(then)](Result<void> result) {
         if (result)
             then();

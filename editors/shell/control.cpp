@@ -11,10 +11,7 @@ void withControl(Context& context, QObject* owner, std::function<void()> then)
     ControllerLink* link = context.link();
     if (!link)
         return;
-    if (context.status().control == ControlHolder::You) {
-        then();
-        return;
-    }
+    // Asked for even if the newest status says that it is held: that may be older than a lapse of the lease.
     QPointer<QObject> guard(owner);
     QPointer<Context> surroundings(&context);
     link->takeControl([guard, surroundings, link, then = std::move(then)](const Result<void>& taken) {

@@ -26,7 +26,9 @@ inline ControllerImage feederImage(std::uint32_t variant = 0, std::size_t payloa
     image.layout.areas.push_back({VariablesArea, {}, 4, 0, 4});
     image.symbols = {count, retained};
 
-    const IrRegister next = b.op(IrOp::Add, Dint, b.load(Dint, byteAt(0, kinco::V)), b.constant(Dint, 1));
+    const IrRegister cycles = b.load(Dint, byteAt(0, kinco::V));
+    const IrRegister one = b.constant(Dint, 1);
+    const IrRegister next = b.op(IrOp::Add, Dint, cycles, one);
     b.store(Dint, byteAt(0, kinco::V), next);
     b.store(Dint, byteAt(4, kinco::V), next);
     b.store(Dint, byteAt(8, kinco::V), b.constant(Dint, variant));

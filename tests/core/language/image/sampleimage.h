@@ -19,7 +19,10 @@ inline ControllerImage sampleImage()
     block.pins = {{IrPin::Kind::Memory, Bool, 0, bitAt(60, 5)}, {IrPin::Kind::Constant, Int, 0xFFFF, {}}, {}};
     image.program.blocks = {block};
 
-    const IrRegister flow = b.op(IrOp::And, Bool, b.bit(bitAt(0, 0)), b.op(IrOp::Not, Bool, b.bit(bitAt(0, 1))));
+    // One call a statement: the order of arguments is the compiler's choice, that of instructions must not be.
+    const IrRegister first = b.bit(bitAt(0, 0));
+    const IrRegister second = b.op(IrOp::Not, Bool, b.bit(bitAt(0, 1)));
+    const IrRegister flow = b.op(IrOp::And, Bool, first, second);
     const IrRegister edge = b.indexed(IrOp::RisingEdge, Bool, 60, flow);
     const IrRegister preset = b.constant(Int, 5);
     const IrRegister timer = b.indexed(IrOp::Timer, Int, 0, edge, preset);
@@ -34,7 +37,9 @@ inline ControllerImage sampleImage()
     b.land(skip);
     b.control(IrOp::Block, 0, flow);
     b.routine("Sub");
-    b.store(Dint, byteAt(12, B), b.op(IrOp::Div, Dint, b.load(Dint, byteAt(16)), b.constant(Dint, 0xFFFFFFFF)));
+    const IrRegister dividend = b.load(Dint, byteAt(16));
+    const IrRegister divisor = b.constant(Dint, 0xFFFFFFFF);
+    b.store(Dint, byteAt(12, B), b.op(IrOp::Div, Dint, dividend, divisor));
     b.control(IrOp::Return);
     for (std::size_t i = 0; i < b.code().size(); ++i)
         b.code()[i].source = static_cast<std::uint32_t>(i % 3);
