@@ -10,6 +10,7 @@ namespace camwright::cli {
 namespace {
 
 constexpr std::chrono::milliseconds HeartbeatPeriod{20}; // CONTRACTS 19
+constexpr std::chrono::milliseconds BootTime{5000};
 
 struct Motion {
     AxisCommand command;
@@ -149,6 +150,28 @@ int report(Invocation& call, Connection& connection, const QString& name, const 
     return Done;
 }
 
+/// Right after a start or a download the master is still booting the drives; a command given then would only be refused.
+void waitForBus(Connection& connection, const QString& name)
+{
+    connection.wait(BootTime, [&] {
+        const AxisStatus* axis = findAxis(connection.link().status(), name);
+        return !axis || axis->online;
+    });
+}
+
+/// Enabling, disabling and resetting take the drive a moment; the verb ends when the axis says so.
+Result<void> doAndWait(Connection& connection, const Motion& motion, const QString& name)
+{
+    const AxisCommandKind kind = motion.command.kind;
+    if (const auto sent = send(connection, motion.command, kind); !sent)
+        return sent.error();
+    const bool alive = connection.wait(BootTime, [&] {
+        const AxisStatus* axis = findAxis(connection.link().status(), name);
+        return !axis || (kind == AxisCommandKind::Reset ? axis->error == 0 : axis->enabled == (kind == AxisCommandKind::Enable));
+    });
+    return alive ? Result<void>() : Result<void>(connection.whyLost());
+}
+
 int stopAll(Invocation& call, Connection& connection)
 {
     const auto done = connection.ask<void>([&](auto reply) { connection.link().stopAllAxes(reply); });
@@ -188,9 +211,10 @@ int runAxis(Invocation& call)
         return report(call, connection, name, send(connection, motion.command, AxisCommandKind::Stop));
     if (const auto control = connection.takeControl(); !control)
         return refused(call, control.error());
+    waitForBus(connection, name);
     const bool plain = *kind == AxisCommandKind::Enable || *kind == AxisCommandKind::Disable || *kind == AxisCommandKind::Reset;
     return report(call, connection, name,
-        plain ? send(connection, motion.command, *kind) : moveUnderDeadMan(connection, motion, name));
+        plain ? doAndWait(connection, motion, name) : moveUnderDeadMan(connection, motion, name));
 }
 
 void addAxisOptions(QCommandLineParser& options)

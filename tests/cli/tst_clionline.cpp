@@ -1,6 +1,7 @@
 #include "tests/cli/clirun.h"
 #include "tests/support/runtimeprocess.h"
 
+#include <QElapsedTimer>
 #include <QFile>
 #include <QJsonArray>
 #include <QJsonDocument>
@@ -18,6 +19,20 @@ namespace {
 QJsonObject json(const CliRun& run)
 {
     return QJsonDocument::fromJson(run.out.toUtf8()).object();
+}
+
+QElapsedTimer startedTimer()
+{
+    QElapsedTimer out;
+    out.start();
+    return out;
+}
+
+/// To a process that runs, never to 0, which would be this test's own group.
+void signalTo(QProcess& process, int signal)
+{
+    QVERIFY2(process.processId() > 0, qPrintable(QString::fromUtf8(process.readAllStandardError())));
+    ::kill(static_cast<pid_t>(process.processId()), signal);
 }
 
 /// The second column of a CSV.
@@ -55,6 +70,18 @@ class CliOnlineTest : public QObject {
     double number(const RuntimeProcess& runtime, const QString& name) const
     {
         return json(ask(runtime, {"read", name, "--json"}))["values"].toArray().first().toObject()["value"].toString().toDouble();
+    }
+
+    /// Asks again and again until the axis stands; 20 s at most.
+    bool comesToRest(const RuntimeProcess& runtime) const
+    {
+        for (QElapsedTimer timer = startedTimer(); timer.elapsed() < 20000;) {
+            const CliRun read = ask(runtime, {"read", "axis.Feed.velocity", "--json"});
+            const QString value = json(read)["values"].toArray().first().toObject()["value"].toString();
+            if (read.status == 0 && !value.isEmpty() && std::abs(value.toDouble()) < 0.5)
+                return true;
+        }
+        return false;
     }
 
     /// A jog that goes on until it is killed, moving at speed when this returns.
@@ -120,9 +147,9 @@ private slots:
         const QList<double> velocity = samples(m_dir.filePath(QStringLiteral("speed.csv")));
         QVERIFY(velocity.size() == 500);
         QVERIFY2(std::abs(velocity.last() - 20.0) < 0.5, qPrintable(QString::number(velocity.last())));
-        ::kill(static_cast<pid_t>(jog.processId()), SIGINT); // as Ctrl+C
+        signalTo(jog, SIGINT); // as Ctrl+C
         QVERIFY(jog.waitForFinished(60000));
-        QTRY_VERIFY_WITH_TIMEOUT(std::abs(number(runtime, "axis.Feed.velocity")) < 0.5, 20000);
+        QVERIFY(comesToRest(runtime));
     }
 
     void aKilledClientLeavesAnAxisThatStopsByItself()
@@ -131,9 +158,9 @@ private slots:
         prepare(runtime);
         QProcess jog;
         startJog(jog, runtime, QStringLiteral("20"));
-        ::kill(static_cast<pid_t>(jog.processId()), SIGKILL);
+        signalTo(jog, SIGKILL);
         jog.waitForFinished();
-        QTRY_VERIFY_WITH_TIMEOUT(std::abs(number(runtime, "axis.Feed.velocity")) < 0.5, 20000);
+        QVERIFY(comesToRest(runtime));
         // The controller's own log has the cycle of the last heartbeat and that of the stop at the bus (CONTRACTS 19).
         bool found = false;
         for (const QJsonValue& entry : json(ask(runtime, {"log", "--json"}))["log"].toArray()) {
@@ -161,7 +188,7 @@ private slots:
         QVERIFY2(refused.err.contains(QStringLiteral("CW7011")), qPrintable(refused.err));
         QCOMPARE(ask(runtime, {"monitor", "axis.Feed.position", "--for", "300ms"}).status, 0);
         QCOMPARE(ask(runtime, {"axis", "stop"}).status, 0); // stop is accepted from anyone
-        QTRY_VERIFY_WITH_TIMEOUT(std::abs(number(runtime, "axis.Feed.velocity")) < 0.5, 20000);
+        QVERIFY(comesToRest(runtime));
         jog.kill();
         jog.waitForFinished();
     }
