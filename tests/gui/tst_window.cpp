@@ -98,6 +98,17 @@ private slots:
         m_workspace.reset();
     }
 
+    void closesWhileAPartOutsideTheEditorsHasTheFocus()
+    {
+        auto* presets = m_window->findChild<QTabBar*>("presets");
+        QVERIFY(presets);
+        m_window->activateWindow();
+        presets->setFocus();
+        QTRY_COMPARE(QApplication::focusWidget(), presets);
+        m_window.reset(); // loses the focus in its last breath
+        QVERIFY(!QApplication::focusWidget());
+    }
+
     void nextPreviewReplacesTheFormer()
     {
         m_workspace->context.preview(Feed);
