@@ -12,7 +12,7 @@ namespace camwright {
 enum class Severity : std::uint8_t { Information, Warning, Error };
 
 /// Every message Camwright can give, one name each. The texts stand in core/base/codes/*.h, a file an area; the page that
-/// explains a code and its way out is resources/diagnostics/<id>.md.
+/// explains a code and its way out is resources/diagnostics/<language>/<id>.md, the language being en, zh or ru.
 #ifdef Q_MOC_RUN
 enum class Code : std::uint16_t; // moc cannot read an #include inside an enumeration
 #else

@@ -30,7 +30,7 @@ TEST(CodesTest, idsAreUniqueAndEachHasItsPage)
     for (const CodeInfo& info : allCodes()) {
         EXPECT_TRUE(seen.insert(info.id).second) << info.id << " stands twice";
         EXPECT_FALSE(info.text.empty()) << info.id;
-        const std::string page = std::string(CAMWRIGHT_SOURCE_DIR "/resources/diagnostics/") + std::string(info.id) + ".md";
+        const std::string page = std::string(CAMWRIGHT_SOURCE_DIR "/resources/diagnostics/en/") + std::string(info.id) + ".md";
         EXPECT_TRUE(std::ifstream(page).good()) << "no page " << page;
     }
 }
