@@ -105,7 +105,7 @@
     </message>
     <message>
         <source>&amp;References</source>
-        <translation>&amp;Ссылки</translation>
+        <translation>Места &amp;использования</translation>
     </message>
     <message>
         <source>&amp;Reload From Disk</source>
@@ -265,7 +265,7 @@
     </message>
     <message>
         <source>Holds the selected watched value, as typed or as it is, until it is released.</source>
-        <translation>Удерживает выбранное значение списка, введённое или текущее, пока его не освободят.</translation>
+        <translation>Удерживает выбранное значение списка, введённое или текущее, пока форсирование не снято.</translation>
     </message>
     <message>
         <source>Inserts what the clipboard holds.</source>
@@ -456,7 +456,7 @@
     <name>Arguments</name>
     <message>
         <source>SDO protocol timed out</source>
-        <translation>истекло время протокола SDO</translation>
+        <translation>истёк тайм-аут протокола SDO</translation>
     </message>
     <message>
         <source>a broken list</source>
@@ -520,7 +520,7 @@
     </message>
     <message>
         <source>access failed due to a hardware error</source>
-        <translation>обращение не удалось из-за аппаратной ошибки</translation>
+        <translation>не удалось обратиться из-за аппаратной ошибки</translation>
     </message>
     <message>
         <source>an initial value lies outside its area</source>
@@ -536,11 +536,11 @@
     </message>
     <message>
         <source>attempt to read a write-only object</source>
-        <translation>попытка читать объект только для записи</translation>
+        <translation>попытка прочитать объект, доступный только для записи</translation>
     </message>
     <message>
         <source>attempt to write a read-only object</source>
-        <translation>попытка записи в объект только для чтения</translation>
+        <translation>попытка записать в объект, доступный только для чтения</translation>
     </message>
     <message>
         <source>both stored sets are damaged</source>
@@ -640,7 +640,7 @@
     </message>
     <message>
         <source>no true or false where one is due</source>
-        <translation>нет истины или лжи там, где они должны быть</translation>
+        <translation>нет логического значения там, где оно должно быть</translation>
     </message>
     <message>
         <source>no welcome</source>
@@ -652,7 +652,7 @@
     </message>
     <message>
         <source>number and length of the mapped objects exceed the PDO</source>
-        <translation>число и длина отображённых объектов больше PDO</translation>
+        <translation>число и длина отображённых объектов превышают размер PDO</translation>
     </message>
     <message>
         <source>object cannot be mapped to the PDO</source>
@@ -767,7 +767,7 @@
     <name>AxisCause</name>
     <message>
         <source>alarm of the drive</source>
-        <translation>тревога привода</translation>
+        <translation>авария привода</translation>
     </message>
     <message>
         <source>enabled by a panel</source>
@@ -826,7 +826,7 @@
     <name>AxisError</name>
     <message>
         <source>alarm of the drive; its manual explains the code</source>
-        <translation>тревога привода; код объяснён в его руководстве</translation>
+        <translation>авария привода; код объяснён в его руководстве</translation>
     </message>
     <message>
         <source>brake, motor or another module of the drive</source>
@@ -1323,7 +1323,7 @@
     </message>
     <message>
         <source>Another program changed &quot;%1&quot; since it was read here. Nothing was written. Reload the project, or save over the change.</source>
-        <translation>Другая программа изменила «%1» после чтения. Ничего не записано. Перезагрузите проект или сохраните поверх изменения.</translation>
+        <translation>Другая программа изменила «%1» после чтения. Ничего не записано. Перечитайте проект с диска или сохраните поверх изменения.</translation>
     </message>
     <message>
         <source>Another program changed &quot;%1&quot; while a save was interrupted. Its version is kept as &quot;%2&quot;.</source>
@@ -1383,7 +1383,7 @@
     </message>
     <message>
         <source>Axis &quot;%1&quot;: the drive reports alarm %2. Remove its cause, then reset the axis.</source>
-        <translation>Ось «%1»: привод сообщает тревогу %2. Устраните причину и сбросьте ось.</translation>
+        <translation>Ось «%1»: привод сообщает об аварии %2. Устраните причину и сбросьте ось.</translation>
     </message>
     <message>
         <source>Axis node %1 does not answer (object %2). Check its supply, the cable, its node number and the baud rate.</source>
@@ -1443,7 +1443,7 @@
     </message>
     <message>
         <source>Control of %1 lapsed because it was not renewed. What a panel moved was stopped; power stays on.</source>
-        <translation>Управление %1 истекло, так как не было продлено. Движения с панели остановлены; питание приводов включено.</translation>
+        <translation>Срок управления у %1 истёк, так как его не продлили. Движения с панели остановлены; питание приводов включено.</translation>
     </message>
     <message>
         <source>Expected %1, found &quot;%2&quot;.</source>
@@ -1451,11 +1451,11 @@
     </message>
     <message>
         <source>Forced values are released: %1.</source>
-        <translation>Форсированные значения освобождаются: %1.</translation>
+        <translation>Форсирование снимается, значений: %1.</translation>
     </message>
     <message>
         <source>Listening on %1 failed: %2.</source>
-        <translation>Не удалось слушать %1: %2.</translation>
+        <translation>Не удалось начать приём соединений по адресу %1: %2.</translation>
     </message>
     <message>
         <source>No axis has the number %1, though a higher one is in use. Axis numbers go from 1 without a gap.</source>
@@ -1743,7 +1743,7 @@
     </message>
     <message>
         <source>The retained data are damaged and were not taken. Memory starts with its initial values.</source>
-        <translation>Сохраняемые данные повреждены и не приняты. Память начинает с начальных значений.</translation>
+        <translation>Сохраняемые данные повреждены и не приняты. Память получает начальные значения.</translation>
     </message>
     <message>
         <source>The retained value of &quot;%1&quot; is lost.</source>
@@ -1775,7 +1775,7 @@
     </message>
     <message>
         <source>The stored retained values cannot be used: %1. They start with their initial values.</source>
-        <translation>Сохранённые значения использовать нельзя: %1. Они начинают с начальных.</translation>
+        <translation>Записанные сохраняемые значения использовать нельзя: %1. Они получают начальные значения.</translation>
     </message>
     <message>
         <source>The supply was switched off and on.</source>
@@ -1831,7 +1831,7 @@
     </message>
     <message>
         <source>There is no axis %1; the running program has %2.</source>
-        <translation>Оси %1 нет; в выполняемой программе есть: %2.</translation>
+        <translation>Оси %1 нет; осей в выполняемой программе: %2.</translation>
     </message>
     <message>
         <source>There is no axis node %1 in the motion network, or the network has not been started. Add the axis in the motion network editor.</source>
@@ -2224,7 +2224,7 @@
     </message>
     <message>
         <source>Inertia of the load over that of the motor; a larger one lags more.</source>
-        <translation>Инерция нагрузки к инерции двигателя; чем она больше, тем больше отставание.</translation>
+        <translation>Отношение инерции нагрузки к инерции двигателя; чем оно больше, тем больше отставание.</translation>
     </message>
     <message>
         <source>Inertia ratio</source>
@@ -3649,7 +3649,7 @@
     </message>
     <message>
         <source>Unapplied Changes</source>
-        <translation>Непринятые изменения</translation>
+        <translation>Неприменённые изменения</translation>
     </message>
     <message>
         <source>ms</source>
@@ -3800,7 +3800,7 @@
     <name>camwright::PanelControl</name>
     <message>
         <source>%1 has taken control. Panel control is off.</source>
-        <translation>%1 взял управление. Управление с панели отключено.</translation>
+        <translation>Управление перешло к %1. Управление с панели отключено.</translation>
     </message>
     <message>
         <source>Arm panel control first.</source>
@@ -4427,7 +4427,7 @@
     </message>
     <message>
         <source>Stop, done</source>
-        <translation>Остановлена</translation>
+        <translation>стоп, конец</translation>
     </message>
     <message>
         <source>any fault</source>
@@ -4744,7 +4744,7 @@
     </message>
     <message>
         <source>Live</source>
-        <translation>Вживую</translation>
+        <translation>Слежение</translation>
     </message>
     <message>
         <source>Move of %1</source>
@@ -4885,7 +4885,7 @@
     </message>
     <message>
         <source>At once, live</source>
-        <translation>Сразу, вживую</translation>
+        <translation>Непрерывно</translation>
     </message>
     <message>
         <source>Below level</source>
@@ -5151,7 +5151,7 @@
     </message>
     <message>
         <source>Release</source>
-        <translation>Освободить</translation>
+        <translation>Снять форсирование</translation>
     </message>
     <message>
         <source>Remove</source>
