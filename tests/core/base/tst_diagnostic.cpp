@@ -3,7 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include <fstream>
 #include <set>
 
 using namespace camwright;
@@ -24,14 +23,12 @@ TEST(DiagnosticTest, saysFileLineCodeAndText)
               "programs/Main.il:3:7: information CW0002: Cancelled. Nothing was changed.");
 }
 
-TEST(CodesTest, idsAreUniqueAndEachHasItsPage)
+TEST(CodesTest, idsAreUniqueAndEachHasItsText)
 {
     std::set<std::string_view> seen;
     for (const CodeInfo& info : allCodes()) {
         EXPECT_TRUE(seen.insert(info.id).second) << info.id << " stands twice";
         EXPECT_FALSE(info.text.empty()) << info.id;
-        const std::string page = std::string(CAMWRIGHT_SOURCE_DIR "/resources/diagnostics/en/") + std::string(info.id) + ".md";
-        EXPECT_TRUE(std::ifstream(page).good()) << "no page " << page;
     }
 }
 
