@@ -78,7 +78,7 @@ std::string deepestRoutine(const IrProgram& program)
     for (unsigned round = 0; round <= MaximumCallDepth; ++round) {
         for (std::size_t r = 0; r < program.routines.size(); ++r) {
             for (const IrInstruction& i : program.routines[r].code) {
-                if (i.op != IrOp::Call)
+                if (!isCall(i.op))
                     continue;
                 depth[i.index] = std::max(depth[i.index], depth[r] + 1);
                 if (depth[i.index] > MaximumCallDepth)

@@ -144,6 +144,8 @@ ImagePart routinePart(const IrRoutine& routine)
     ByteWriter writer;
     writer.put(routine.kind);
     putVar(writer, routine.registers);
+    if (routine.kind == RoutineKind::Block)
+        putVar(writer, routine.instanceBytes);
     putList(writer, routine.code, [&](const IrInstruction& i) { put(writer, i); });
     return {ImageSection::Program, routine.name, writer.take()};
 }
@@ -177,8 +179,10 @@ bool readProgramPart(const ImagePart& part, IrProgram& program)
     routine.name = part.name;
     routine.kind = reader.get<RoutineKind>();
     routine.registers = getVar(reader);
+    if (routine.kind == RoutineKind::Block)
+        routine.instanceBytes = getVar(reader);
     routine.code = getList(reader, [&] { return getInstruction(reader); });
-    if (routine.kind > RoutineKind::Interrupt)
+    if (routine.kind > RoutineKind::Block)
         reader.fail();
     program.routines.push_back(std::move(routine));
     return reader.ok() && reader.atEnd();

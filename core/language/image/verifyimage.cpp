@@ -31,6 +31,8 @@ Result<AreaSizes> areaSizes(const MemoryLayout& layout)
         const ImageArea& area = layout.areas[i];
         if (i > 0 && area.id <= layout.areas[i - 1].id)
             return unsafe(CW_TEXT("Arguments", "the memory areas are not in order"));
+        if (area.id == InstanceArea)
+            return unsafe("a memory area has the number of the instances");
         if (area.retainedFrom > area.retainedTo || area.retainedTo > area.bytes)
             return unsafe(CW_TEXT("Arguments", "the retained range of an area lies outside it"));
         sizes[area.id] = area.bytes;

@@ -35,9 +35,9 @@ struct IrInstruction {
     IrRegister dest = NoRegister;
     IrRegister a = NoRegister;
     IrRegister b = NoRegister;
-    IrAddress address;              ///< Load, Store
-    std::uint32_t index = 0;        ///< jump target, routine, timer, counter, block or edge slot
-    std::uint64_t constant = 0;     ///< Const: the bits as they lie in memory, zero-extended
+    IrAddress address;              ///< Load, Store; where an access with an index or through a pointer begins
+    std::uint32_t index = 0;        ///< jump target, routine, timer, counter, block or edge slot; Select: third register
+    std::uint64_t constant = 0;     ///< Const: the bits as they lie in memory, zero-extended; else see the operation
     std::uint32_t source = 0;       ///< 1 + index into DebugMap::sources, 0: nowhere; not part of the program's hash
 
     bool operator==(const IrInstruction&) const = default;
@@ -95,7 +95,12 @@ struct IrBlock {
     bool operator==(const IrBlock&) const = default;
 };
 
-enum class RoutineKind : std::uint8_t { Main = 0, Subroutine = 1, Interrupt = 2 };
+/// Block: the body or a method of a function block. It runs with an instance, called by CallOn and CallAt only.
+enum class RoutineKind : std::uint8_t { Main = 0, Subroutine = 1, Interrupt = 2, Block = 3 };
+
+/// In a routine of kind Block the instance it runs with: addresses count from its first byte. It is a stretch of
+/// VariablesArea, so these two areas may overlap, as an exception to the rule at IrAddress.
+inline constexpr AreaId InstanceArea = 0xFD;
 
 /// A program organisation unit after lowering.
 struct IrRoutine {
@@ -103,6 +108,7 @@ struct IrRoutine {
     RoutineKind kind = RoutineKind::Main;
     std::uint32_t registers = 0;
     std::vector<IrInstruction> code;
+    std::uint32_t instanceBytes = 0; ///< Block: size of its instance
 
     bool operator==(const IrRoutine&) const = default;
 };

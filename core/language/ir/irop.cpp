@@ -18,6 +18,8 @@ constexpr Row Rows[] = {
     {IrOp::JumpIfNot, "jump_if_not", "a", IrShape::Index::Target},
     {IrOp::Call, "call", "", IrShape::Index::Routine},
     {IrOp::Return, "return", ""},
+    {IrOp::CallOn, "call_on", "m", IrShape::Index::Routine},
+    {IrOp::CallAt, "call_at", "a", IrShape::Index::Routine},
     {IrOp::Const, "const", "dc"},
     {IrOp::Load, "load", "dm"},
     {IrOp::Store, "store", "am"},
@@ -35,6 +37,7 @@ constexpr Row Rows[] = {
     {IrOp::Sqrt, "sqrt", "da"},
     {IrOp::Min, "min", "dab"},
     {IrOp::Max, "max", "dab"},
+    {IrOp::Select, "select", "dab", IrShape::Index::Register},
     {IrOp::ShiftLeft, "shift_left", "dab"},
     {IrOp::ShiftRight, "shift_right", "dab"},
     {IrOp::RotateLeft, "rotate_left", "dab"},
@@ -56,6 +59,16 @@ constexpr Row Rows[] = {
     {IrOp::CounterArm, "counter_arm", "ab", IrShape::Index::Counter},
     {IrOp::CounterReset, "counter_reset", "a", IrShape::Index::Counter},
     {IrOp::Block, "block", "a", IrShape::Index::Block},
+    {IrOp::Place, "place", "dmc"},
+    {IrOp::Reach, "reach", "dac", IrShape::Index::Target},
+    {IrOp::Bound, "bound", "dac", IrShape::Index::Target},
+    {IrOp::Element, "element", "dabc"},
+    {IrOp::LoadAt, "load_at", "dam"},
+    {IrOp::StoreAt, "store_at", "abm"},
+    {IrOp::LoadElement, "load_element", "dbmc"},
+    {IrOp::StoreElement, "store_element", "abmc"},
+    {IrOp::Move, "move", "abc"},
+    {IrOp::Now, "now", "d"},
 };
 
 const Row* row(IrOp op)
@@ -123,6 +136,8 @@ std::string_view name(IrOp op)
 
 DataType resultType(IrOp op, DataType type)
 {
+    if (op == IrOp::Bound)
+        return DataType::Dword;
     const bool givesBool = isComparison(op) || isEdge(op) || op == IrOp::Timer || op == IrOp::Counter;
     return givesBool ? DataType::Bool : type;
 }
@@ -133,9 +148,28 @@ DataType secondOperandType(IrOp op, DataType type)
     case IrOp::ShiftLeft:
     case IrOp::ShiftRight:
     case IrOp::RotateLeft:
-    case IrOp::RotateRight: return DataType::Dword;
+    case IrOp::RotateRight:
+    case IrOp::StoreAt:
+    case IrOp::LoadElement:
+    case IrOp::StoreElement: return DataType::Dword;
     default: return type;
     }
+}
+
+DataType firstOperandType(IrOp op, DataType type, DataType from)
+{
+    const IrShape& shape = shapeOf(op);
+    switch (op) {
+    case IrOp::Select: return DataType::Bool;
+    case IrOp::Reach:
+    case IrOp::CallAt:
+    case IrOp::LoadAt: return DataType::Dword;
+    case IrOp::Bound: return DataType::Dint;
+    default: break;
+    }
+    if (shape.index != IrShape::Index::None)
+        return DataType::Bool;
+    return shape.from ? from : type;
 }
 
 bool isAllowed(IrOp op, DataType type, DataType from)
@@ -144,8 +178,19 @@ bool isAllowed(IrOp op, DataType type, DataType from)
     case IrOp::Const:
     case IrOp::Load:
     case IrOp::Store:
+    case IrOp::Select:
+    case IrOp::LoadAt:
+    case IrOp::StoreAt:
+    case IrOp::LoadElement:
+    case IrOp::StoreElement:
     case IrOp::Equal:
     case IrOp::NotEqual: return true;
+    case IrOp::Place:
+    case IrOp::Reach:
+    case IrOp::Element:
+    case IrOp::Move: return type == DataType::Dword;
+    case IrOp::Bound: return type == DataType::Dint;
+    case IrOp::Now: return type == DataType::Lint;
     case IrOp::Not:
     case IrOp::And:
     case IrOp::Or:

@@ -18,7 +18,7 @@ public:
     {
         for (std::size_t r = 0; r < program.routines.size(); ++r) {
             for (const IrInstruction& i : program.routines[r].code) {
-                if (i.op == IrOp::Call)
+                if (isCall(i.op))
                     m_callees[r].push_back(i.index);
             }
             std::ranges::sort(m_callees[r]);

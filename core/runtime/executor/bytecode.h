@@ -54,6 +54,15 @@ struct CounterStep {
     std::uint32_t state = 0;
 };
 
+/// What a Bound or Reach lets through: value - lower < count. Else it is a fault, and the scan goes on at another step.
+struct GuardStep {
+    std::uint32_t lower = 0;
+    std::uint32_t count = 0;
+    std::uint32_t elseStep = 0;        ///< step to go to
+    std::uint32_t instruction = 0;     ///< its own number in the IR, and that of the other step
+    std::uint32_t elseInstruction = 0;
+};
+
 class Bytecode {
 public:
     std::vector<Step> steps;
@@ -61,6 +70,7 @@ public:
     std::vector<std::uint32_t> entries;    ///< first step of each routine
     std::vector<TimerStep> timers;
     std::vector<CounterStep> counters;
+    std::vector<GuardStep> guards;
     std::vector<std::uint64_t> constants;  ///< lie at constantsOffset, 8 bytes each
     std::uint32_t constantsOffset = 0;
     std::uint32_t scratchBytes = 0;
@@ -75,6 +85,7 @@ struct Frame {
         const Step* next = nullptr;
         std::uint32_t segment = 0;
         std::uint32_t routine = 0;
+        std::uint32_t instance = 0;
     };
 
     std::uint8_t* bytes = nullptr;
@@ -89,6 +100,7 @@ struct Frame {
     std::uint64_t budget = 0;
     std::uint32_t segment = 0;  ///< IR instruction from which `operations` has not counted yet
     std::uint32_t routine = 0;
+    std::uint32_t instance = 0; ///< of the running routine of kind Block: where it lies in VariablesArea
     bool outOfOperations = false;
     std::uint32_t faults = 0;
     std::uint32_t stopRoutine = 0;

@@ -23,8 +23,27 @@ Handler networkHandler(NetworkEnding ending, std::size_t contacts);
 // Control: b is the IR instruction.
 const Step* jump(Frame& frame, const Step* step);             ///< dest: step; extra: target instruction
 const Step* callRoutine(Frame& frame, const Step* step);      ///< dest: routine
+const Step* enterRoutine(Frame& frame, const Step* step, std::uint32_t instance); ///< the same, with the instance the routine runs with
 const Step* returnFromRoutine(Frame& frame, const Step* step);
 const Step* callBlock(Frame& frame, const Step* step);        ///< a: EN; extra: block
+
+/// dest := b if a, else extra.
+Handler selectHandler(DataType type);
+const Step* readClock(Frame& frame, const Step* step);        ///< dest: LINT, ns
+
+// Computed places. Offsets of memory include the beginning of VariablesArea; `relative`: the instance's is added.
+Handler callOnHandler(bool relative);                         ///< dest: routine; a: offset in VariablesArea or the instance
+const Step* callAt(Frame& frame, const Step* step);           ///< dest: routine; a: pointer
+Handler placeHandler(bool relative);                          ///< a: offset in VariablesArea or the instance
+const Step* guard(Frame& frame, const Step* step);            ///< dest, a; extra: index into the guards
+const Step* locateElement(Frame& frame, const Step* step);    ///< dest, a: pointer, b: index, extra: stride
+Handler loadAtHandler(DataType type);                         ///< dest, a: pointer, extra: offset
+Handler storeAtHandler(DataType type);                        ///< a: value, b: pointer, extra: offset
+Handler loadElementHandler(DataType type, bool relative);     ///< dest, a: offset, b: index, extra: stride
+Handler storeElementHandler(DataType type, bool relative);    ///< dest: offset, a: value, b: index, extra: stride
+Handler loadInstanceHandler(DataType type);                   ///< dest, a: offset
+Handler storeInstanceHandler(DataType type);                  ///< dest: offset, a: value
+const Step* moveBytes(Frame& frame, const Step* step);        ///< dest, a: pointers, b: bytes, extra: begin of VariablesArea
 
 const Step* risingEdge(Frame& frame, const Step* step);       ///< extra: offset of the remembered input
 const Step* fallingEdge(Frame& frame, const Step* step);

@@ -119,11 +119,17 @@ const Step* jump(Frame& frame, const Step* step)
 
 const Step* callRoutine(Frame& frame, const Step* step)
 {
+    return enterRoutine(frame, step, frame.instance);
+}
+
+const Step* enterRoutine(Frame& frame, const Step* step, std::uint32_t instance)
+{
     if (!frame.count(step->b))
         return nullptr;
-    frame.returns[frame.depth++] = {step + 1, step->b + 1, frame.routine};
+    frame.returns[frame.depth++] = {step + 1, step->b + 1, frame.routine, frame.instance};
     frame.segment = 0;
     frame.routine = step->dest;
+    frame.instance = instance;
     return frame.code->steps.data() + frame.code->entries[step->dest];
 }
 
@@ -134,6 +140,7 @@ const Step* returnFromRoutine(Frame& frame, const Step* step)
     const Frame::Return& back = frame.returns[--frame.depth];
     frame.segment = back.segment;
     frame.routine = back.routine;
+    frame.instance = back.instance;
     return back.next;
 }
 

@@ -13,9 +13,9 @@ std::uint8_t maskOf(const IrAddress& address)
     return address.bit == IrAddress::WholeByte ? std::uint8_t{0xFF} : static_cast<std::uint8_t>(1u << address.bit);
 }
 
-bool isJump(IrOp op)
+bool mayJump(IrOp op)
 {
-    return op == IrOp::Jump || op == IrOp::JumpIf || op == IrOp::JumpIfNot;
+    return shapeOf(op).index == IrShape::Index::Target;
 }
 
 /// Nothing but a value comes of it, so it is left out when nobody uses that.
@@ -33,6 +33,7 @@ void invert(std::vector<Contact>& chain)
 
 void RoutineDecoder::run()
 {
+    m_firstGuard = m_out.guards.size();
     countUses();
     findLabels();
     for (m_at = 0; m_at < m_routine.code.size(); ++m_at) {
@@ -46,6 +47,8 @@ void RoutineDecoder::run()
     emit(returnFromRoutine, 0, 0, m_at);
     for (const std::uint32_t at : m_jumps)
         m_out.steps[at].dest = m_stepOf[m_out.steps[at].dest];
+    for (std::size_t at = m_firstGuard; at < m_out.guards.size(); ++at)
+        m_out.guards[at].elseStep = m_stepOf[m_out.guards[at].elseInstruction];
 }
 
 void RoutineDecoder::countUses()
@@ -57,6 +60,8 @@ void RoutineDecoder::countUses()
             ++m_registers[i.a].uses;
         if (shape.b)
             ++m_registers[i.b].uses;
+        if (shape.index == IrShape::Index::Register)
+            ++m_registers[i.index].uses;
     }
 }
 
@@ -66,7 +71,7 @@ void RoutineDecoder::findLabels()
     m_stepOf.assign(m_routine.code.size() + 1, 0);
     bool goesBack = false;
     for (std::uint32_t at = 0; at < m_routine.code.size(); ++at) {
-        if (!isJump(m_routine.code[at].op))
+        if (!mayJump(m_routine.code[at].op))
             continue;
         m_isLabel[m_routine.code[at].index] = true;
         goesBack |= m_routine.code[at].index <= at;
@@ -104,6 +109,8 @@ void RoutineDecoder::decode(const IrInstruction& i)
     case IrOp::Block: return decodeElement(i);
     default: break;
     }
+    if (decodePlace(i))
+        return;
     const bool isContactLogic = i.op == IrOp::Not || i.op == IrOp::And || i.op == IrOp::Or;
     if (isContactLogic && i.type == DataType::Bool)
         decodeBool(i);
@@ -114,6 +121,11 @@ void RoutineDecoder::decode(const IrInstruction& i)
 void RoutineDecoder::decodeLoad(const IrInstruction& i)
 {
     Operand& operand = m_registers[i.dest];
+    if (i.address.area == InstanceArea) {
+        if (operand.uses > 0)
+            emit(loadInstanceHandler(i.type), defineSlot(i.dest, i.type), memoryOffset(i.address));
+        return;
+    }
     operand.state = Operand::State::Memory;
     operand.type = i.type;
     operand.offset = memoryOffset(i.address);
@@ -164,6 +176,11 @@ void RoutineDecoder::decodeComputing(const IrInstruction& i)
 void RoutineDecoder::decodeStore(const IrInstruction& i)
 {
     const std::uint32_t dest = memoryOffset(i.address);
+    if (i.address.area == InstanceArea) {
+        const std::uint32_t source = offsetOf(i.a);
+        flush();
+        return emit(storeInstanceHandler(i.type), dest, source);
+    }
     if (i.type != DataType::Bool) {
         const std::uint32_t source = offsetOf(i.a);
         flush();
@@ -319,7 +336,7 @@ bool RoutineDecoder::isStoreOf(std::size_t at, IrRegister number, DataType type)
     if (at >= m_routine.code.size() || m_isLabel[at] || m_registers[number].uses != 1)
         return false;
     const IrInstruction& next = m_routine.code[at];
-    return next.op == IrOp::Store && next.a == number && next.type == type;
+    return next.op == IrOp::Store && next.address.area != InstanceArea && next.a == number && next.type == type;
 }
 
 } // namespace camwright

@@ -41,6 +41,11 @@ private:
     void decodeStore(const IrInstruction& i);
     void decodeJump(const IrInstruction& i);
     void decodeElement(const IrInstruction& i);
+    bool decodePlace(const IrInstruction& i);
+    void decodeCall(const IrInstruction& i);
+    void decodeGuard(const IrInstruction& i);
+    void decodeLoadAccess(const IrInstruction& i);
+    void decodeStoreAccess(const IrInstruction& i);
     void decodeEdge(const IrInstruction& i);
 
     // Operands. Each call is one use.
@@ -57,7 +62,8 @@ private:
     void emit(Handler run, std::uint32_t dest, std::uint32_t a = 0, std::uint32_t b = 0, std::uint32_t extra = 0);
     std::uint32_t emitContacts(const std::vector<Contact>& chain);
     bool isStoreOf(std::size_t at, IrRegister number, DataType type) const;
-    std::uint32_t memoryOffset(const IrAddress& address) const { return m_memory.offsetOf(address.area, address.byte); }
+    std::uint32_t memoryOffset(const IrAddress& address) const;
+    std::uint32_t guardOf(const IrInstruction& i);
 
     const IrRoutine& m_routine;
     const Memory& m_memory;
@@ -70,6 +76,7 @@ private:
     std::vector<bool> m_isLabel;
     std::vector<std::uint32_t> m_stepOf;       ///< first step of each labelled instruction
     std::vector<std::uint32_t> m_jumps;        ///< steps whose dest is still an IR instruction
+    std::size_t m_firstGuard = 0;              ///< of this routine; their elseStep is still an IR instruction
     std::uint32_t m_at = 0;
 };
 
