@@ -260,7 +260,7 @@ TEST(ComputedPlacesTest, theVerifierRefusesWhatCouldLeaveItsPlace)
     EXPECT_FALSE(instance.isSafe()) << "a subroutine has no instance";
 
     PlaceBench pointer = pointerBench(0);
-    pointer.code()[3].constant = 7;
+    pointer.image().program.routines[0].code[3].constant = 7;
     EXPECT_FALSE(pointer.isSafe()) << "a REAL at pointer + 4 needs 8 bytes";
     PlaceBench raw;
     raw.op(IrOp::LoadAt, Int, raw.constant(Dword, 4));
