@@ -26,6 +26,7 @@ void putTarget(ByteWriter& writer, const IrProgram& program, const IrInstruction
     case IrShape::Index::EdgeState:
         break;
     case IrShape::Index::Target:
+    case IrShape::Index::Register:
         writer.put(index);
         break;
     case IrShape::Index::Routine:
