@@ -117,7 +117,7 @@ bool Connection::wait(std::chrono::milliseconds span, const std::function<bool()
             loop.quit();
     };
     QTimer poll;
-    QObject::connect(&poll, &QTimer::timeout, [&] { m_check(); });
+    QObject::connect(&poll, &QTimer::timeout, &loop, [&] { m_check(); });
     poll.start(std::chrono::milliseconds(20));
     if (span.count() >= 0)
         QTimer::singleShot(span, &loop, &QEventLoop::quit);

@@ -29,7 +29,8 @@ void printAll(Invocation& call, const QString& path, const LoadedProject& loaded
 
 void printAtPath(Invocation& call, const QString& path, const Diagnostics& diagnostics)
 {
-    for (Diagnostic d : diagnostics) {
+    for (const Diagnostic& each : diagnostics) {
+        Diagnostic d = each;
         if (!d.place.file.empty())
             d.place.file = QDir::cleanPath(path + QLatin1Char('/') + QString::fromStdString(d.place.file)).toStdString();
         call.out.diagnostic(d);

@@ -4,6 +4,7 @@
 #include "app/window/mainwindow.h"
 #include "app/window/realservices.h"
 #include "app/window/screenshots.h"
+#include "app/window/untilidle.h"
 #include "editors/words/words.h"
 
 #include <QApplication>
@@ -61,6 +62,7 @@ void readOptions(QCommandLineParser& parser, const QApplication& application)
     parser.addPositionalArgument(QStringLiteral("PROJECT"), QStringLiteral("Project folder to open."), QStringLiteral("[PROJECT]"));
     parser.addOption({QStringLiteral("demo"), QStringLiteral("Opens the project, goes online with its virtual controller and runs it."), QStringLiteral("DIR")});
     parser.addOption({QStringLiteral("screenshot"), QStringLiteral("Saves pictures of every view and ends."), QStringLiteral("DIR")});
+    parser.addOption({QStringLiteral("until-idle"), QStringLiteral("Ends when the window stands and the project is checked: for timing the start.")});
     parser.addOption({QStringLiteral("theme"), QStringLiteral("light or dark."), QStringLiteral("NAME")});
     parser.addOption({QStringLiteral("lang"), QStringLiteral("en, zh or ru."), QStringLiteral("CODE")});
     parser.process(application);
@@ -107,6 +109,14 @@ int runWindow(int argc, char** argv)
         screenshots = std::make_unique<Screenshots>(session.workspace(), window, pictures);
         QObject::connect(screenshots.get(), &Screenshots::done, &application, [](bool saved) { QCoreApplication::exit(saved ? 0 : 1); });
         QTimer::singleShot(50, screenshots.get(), &Screenshots::start);
+    }
+    std::unique_ptr<UntilIdle> untilIdle;
+    if (parser.isSet(QStringLiteral("until-idle"))) {
+        // Behind the timer that opens the project, which was started before.
+        QTimer::singleShot(0, &window, [&] {
+            untilIdle = std::make_unique<UntilIdle>(window, session.workspace().checks);
+            QObject::connect(untilIdle.get(), &UntilIdle::idle, &application, &QCoreApplication::quit);
+        });
     }
     return QApplication::exec();
 }

@@ -12,7 +12,7 @@ Integer roundTo(double value)
 {
     // The bounds as doubles: the lower one is exact, the upper one may round up to one more than the integer holds.
     constexpr double lowest = static_cast<double>(std::numeric_limits<Integer>::min());
-    constexpr double beyond = static_cast<double>(std::numeric_limits<Integer>::max() / 2 + 1) * 2.0;
+    constexpr double beyond = static_cast<double>(Integer(1) << (std::numeric_limits<Integer>::digits - 1)) * 2.0;
     if (std::isnan(value))
         return 0;
     const double rounded = std::round(value);

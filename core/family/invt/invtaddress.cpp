@@ -77,7 +77,7 @@ Result<Address> InvtAddressSyntax::parseBit(const Request& request, AddressScann
 
 std::string InvtAddressSyntax::format(const MemoryArea& area, const Address& address) const
 {
-    const std::string element = written(area, address.byte / area.elementBytes);
+    std::string element = written(area, address.byte / area.elementBytes);
     if (area.kind != AreaKind::Words || !address.isBit)
         return element;
     return fmt::format("{}.{}", element, address.byte % 2 * 8 + address.bit);
