@@ -38,15 +38,14 @@ private:
             return;
         }
         m_workspace.settings.setLanguage(language);
-        const auto opened = m_window->opened();
+        const Arrangement opened = m_window->editors().arrangement();
         const QByteArray geometry = m_window->saveGeometry();
         QApplication::setQuitOnLastWindowClosed(false);
         m_window.reset();
         m_workspace.retranslate();
         makeWindow();
         m_window->restoreGeometry(geometry);
-        for (const EditorArea::Open& tab : opened)
-            m_window->editors().open(tab.key, tab.viewId, false);
+        m_window->editors().arrange(opened, EditorArea::Missing::Open);
         QApplication::setQuitOnLastWindowClosed(true);
     }
 
@@ -99,6 +98,7 @@ int runWindow(int argc, char** argv)
     const bool demo = parser.isSet(QStringLiteral("demo"));
     const QString project = demo ? parser.value(QStringLiteral("demo")) : parser.positionalArguments().value(0);
     const QString pictures = parser.value(QStringLiteral("screenshot"));
+    window.setKeepsLayouts(pictures.isEmpty());
     if (!pictures.isEmpty() && !project.isEmpty())
         Screenshots::saveStartPage(window, pictures);
     if (!project.isEmpty())

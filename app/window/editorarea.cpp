@@ -1,240 +1,211 @@
+// Opening, closing, back and forward. Groups and windows are in editorplaces.cpp.
 #include "app/window/editorarea.h"
 
-#include "app/window/editortabbar.h"
+#include "app/window/dropzone.h"
+#include "app/window/editorwindow.h"
+#include "editors/shell/actions.h"
 #include "editors/shell/registry.h"
-#include "editors/shell/theme.h"
-#include "editors/shell/widgets.h"
 
-#include <QHBoxLayout>
-#include <QStackedWidget>
+#include <QApplication>
 #include <QVBoxLayout>
-
-#include <algorithm>
 
 namespace camwright {
 
-namespace {
-
-constexpr std::size_t MaxHistory = 100;
-
-} // namespace
-
-EditorArea::EditorArea(Context& context, QWidget* parent) : QWidget(parent), m_context(context)
+EditorArea::EditorArea(Context& context, QWidget* parent) : QWidget(parent), m_context(context), m_mark(std::make_unique<DropMark>())
 {
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(0);
-    auto* strip = new QWidget(this);
-    strip->setFixedHeight(32);
-    strip->setAttribute(Qt::WA_StyledBackground);
-    strip->setObjectName(QStringLiteral("editorTabRow"));
-    m_row = new QHBoxLayout(strip);
-    m_row->setContentsMargins(0, 0, 8, 0);
-    m_row->setSpacing(8);
-    m_bar = new EditorTabBar(strip);
-    m_row->addWidget(m_bar, 1);
-    column->addWidget(strip);
-    m_pages = new QStackedWidget(this);
-    const auto ground = [this] {
-        // Pages in scroll areas fill themselves with the window colour: here that is the surface.
-        QPalette pages = theme().palette();
-        pages.setColor(QPalette::Window, theme().color(Role::Surface));
-        m_pages->setPalette(pages);
-        m_pages->setAutoFillBackground(true);
-    };
-    ground();
-    connect(&theme(), &Theme::changed, m_pages, ground);
-    auto* empty = new EmptyState(QStringLiteral("programs"), tr("Open an object from the project tree, or press Ctrl+P to find one."));
-    m_pages->addWidget(empty);
-    column->addWidget(m_pages, 1);
-    connect(m_bar, &QTabBar::currentChanged, this, &EditorArea::becameCurrent);
-    connect(m_bar, &QTabBar::tabCloseRequested, this, &EditorArea::closeTab);
-    connect(m_bar, &QTabBar::tabBarDoubleClicked, this, &EditorArea::keep);
-    connect(m_bar, &QTabBar::tabMoved, this, [this](int from, int to) {
-        const Tab tab = m_tabs[std::size_t(from)];
-        m_tabs.erase(m_tabs.begin() + from);
-        m_tabs.insert(m_tabs.begin() + to, tab);
-    });
+    m_active = m_mainActive = newGroup();
+    m_tree = new GroupTree(m_active, this);
+    column->addWidget(m_tree);
     connect(&context.document(), &ProjectDocument::changed, this, &EditorArea::follow);
-    connect(&theme(), &Theme::changed, m_bar, qOverload<>(&QWidget::update));
+    connect(qApp, &QApplication::focusChanged, this, [this](QWidget*, QWidget* now) { followFocus(now); });
+    connect(&context.actions(), &ActionCatalogue::keysChanged, this, [this] {
+        for (EditorGroup* group : groups())
+            group->setEmptySentence(emptySentence());
+    });
+}
+
+EditorArea::~EditorArea()
+{
+    // Pages lose the focus and tell of their end while they go: nobody here listens any more.
+    disconnect(qApp, nullptr, this, nullptr);
+    for (EditorGroup* group : groups()) {
+        group->disconnect(this);
+        for (const Tab& tab : group->tabs()) {
+            if (tab.page)
+                tab.page->disconnect(this);
+        }
+    }
+    m_mark.reset();
+    for (EditorWindow* window : m_windows)
+        delete window;
 }
 
 int EditorArea::count() const
 {
-    return int(m_tabs.size());
-}
-
-int EditorArea::find(const ObjectKey& key, const QString& viewId) const
-{
-    for (std::size_t i = 0; i < m_tabs.size(); ++i) {
-        if (m_tabs[i].viewId == viewId && (!m_tabs[i].editor || m_tabs[i].editor->key() == key))
-            return int(i);
-    }
-    return -1;
-}
-
-int EditorArea::add(Tab tab, const QString& title, const QString& iconName)
-{
-    m_pages->addWidget(tab.page);
-    m_tabs.push_back(tab);
-    const int index = m_bar->addTab(title);
-    m_bar->setTabIconName(index, iconName);
-    m_bar->setPreview(index, tab.preview);
-    return index;
-}
-
-void EditorArea::open(const ObjectKey& key, const QString& viewId, bool preview)
-{
-    const EditorFactory* factory = viewId.isEmpty() ? m_context.registry().defaultView(key.kind) : m_context.registry().view(viewId);
-    if (!factory || !m_context.document().object(key))
-        return;
-    int index = find(key, factory->viewId);
-    if (index >= 0) {
-        if (!preview)
-            keep(index);
-        m_bar->setCurrentIndex(index);
-        if (!preview && m_tabs[std::size_t(index)].page)
-            m_tabs[std::size_t(index)].page->setFocus();
-        return;
-    }
-    if (preview) {
-        const auto old = std::find_if(m_tabs.begin(), m_tabs.end(), [](const Tab& tab) { return tab.preview; });
-        if (old != m_tabs.end())
-            closeTab(int(old - m_tabs.begin()));
-    }
-    Editor* editor = factory->create(m_context, key);
-    index = add({editor, editor, factory->viewId, preview}, editor->title(), editor->iconName());
-    connect(editor, &Editor::titleChanged, this, [this, editor] {
-        for (std::size_t i = 0; i < m_tabs.size(); ++i) {
-            if (m_tabs[i].editor == editor) {
-                m_bar->setTabText(int(i), editor->title());
-                m_bar->setTabIconName(int(i), editor->iconName());
-            }
-        }
-    });
-    connect(editor, &Editor::positionChanged, this, &EditorArea::positionChanged);
-    connect(editor, &Editor::abilitiesChanged, this, &EditorArea::positionChanged);
-    m_bar->setCurrentIndex(index);
-    becameCurrent();
-    if (!preview)
-        editor->setFocus();
-}
-
-void EditorArea::openPanel(const PanelFactory& factory)
-{
-    int index = find({}, factory.id);
-    if (index < 0) {
-        Panel* panel = factory.create(m_context);
-        index = add({panel, nullptr, factory.id, false}, factory.name, factory.iconName);
-    }
-    m_bar->setCurrentIndex(index);
-    becameCurrent();
-}
-
-void EditorArea::reveal(const Place& place)
-{
-    const int before = m_bar->currentIndex();
-    open(place.object, {}, false);
-    if (Editor* editor = current(); editor && editor->key() == place.object) {
-        editor->reveal(place);
-        if (before != m_bar->currentIndex() || !m_visiting)
-            note();
-    }
+    int out = 0;
+    for (const EditorGroup* group : groups())
+        out += group->count();
+    return out;
 }
 
 Editor* EditorArea::current() const
 {
-    const int index = m_bar->currentIndex();
-    return index < 0 || index >= int(m_tabs.size()) ? nullptr : m_tabs[std::size_t(index)].editor;
+    return m_active->current() ? m_active->current()->editor : nullptr;
 }
 
 Panel* EditorArea::currentPanel() const
 {
-    const int index = m_bar->currentIndex();
-    return index < 0 || index >= int(m_tabs.size()) ? nullptr : qobject_cast<Panel*>(m_tabs[std::size_t(index)].page);
+    return m_active->currentPanel();
 }
 
-void EditorArea::keep(int index)
+EditorArea::Found EditorArea::find(const ObjectKey& key, const QString& viewId) const
 {
-    if (index < 0 || index >= int(m_tabs.size()))
+    for (EditorGroup* group : groups()) {
+        if (const int index = group->find(key, viewId); index >= 0)
+            return {group, index};
+    }
+    return {};
+}
+
+/// What a tab needs to be seen in a strip; nothing where the object or the view does not exist.
+std::optional<EditorArea::Tab> EditorArea::describeTab(const ObjectKey& key, const QString& viewId) const
+{
+    const Registry& registry = m_context.registry();
+    Tab out;
+    if (key == ObjectKey{}) {
+        const PanelFactory* panel = registry.panel(viewId);
+        if (!panel || panel->area != PanelArea::Center)
+            return std::nullopt;
+        out.viewId = panel->id;
+        out.title = panel->name;
+        out.iconName = panel->iconName;
+        return out;
+    }
+    const EditorFactory* factory = viewId.isEmpty() ? registry.defaultView(key.kind) : registry.view(viewId);
+    if (!factory || factory->kind != key.kind || !m_context.document().object(key))
+        return std::nullopt;
+    out.key = key;
+    out.viewId = factory->viewId;
+    out.iconName = factory->iconName;
+    out.title = QString::fromStdString(key.name);
+    if (factory != registry.defaultView(key.kind))
+        out.title += QStringLiteral(" · ") + factory->name;
+    return out;
+}
+
+void EditorArea::makePage(Tab& tab)
+{
+    if (tab.key == ObjectKey{}) {
+        tab.page = m_context.registry().panel(tab.viewId)->create(m_context);
         return;
-    m_tabs[std::size_t(index)].preview = false;
-    m_bar->setPreview(index, false);
+    }
+    Editor* editor = m_context.registry().view(tab.viewId)->create(m_context, tab.key);
+    tab.page = tab.editor = editor;
+    connect(editor, &Editor::positionChanged, this, &EditorArea::positionChanged);
+    connect(editor, &Editor::abilitiesChanged, this, &EditorArea::positionChanged);
+    connect(editor, &Editor::closeRequested, this, [this, editor] {
+        for (EditorGroup* group : groups()) {
+            if (const int index = group->indexOf(editor); index >= 0) {
+                closeTab(group, index);
+                return;
+            }
+        }
+    }, Qt::QueuedConnection);
 }
 
-void EditorArea::becameCurrent()
+void EditorArea::open(const ObjectKey& key, const QString& viewId, bool preview)
 {
-    const int index = m_bar->currentIndex();
-    if (m_rowWidget) {
-        m_row->removeWidget(m_rowWidget);
-        m_rowWidget->hide();
-        m_rowWidget = nullptr;
-    }
-    if (index < 0 || index >= int(m_tabs.size())) {
-        m_pages->setCurrentIndex(0);
-        emit currentChanged();
+    auto tab = describeTab(key, viewId);
+    if (!tab)
         return;
+    Found place = find(key, tab->viewId);
+    if (!place.group) {
+        place.group = m_active;
+        if (preview && m_active->previewTab() >= 0) {
+            m_arranging = true; // its group stays, though it may be empty for a moment
+            closeTab(m_active, m_active->previewTab());
+            m_arranging = false;
+        }
+        tab->preview = preview;
+        place.index = place.group->add(std::move(*tab));
+    } else if (!preview) {
+        place.group->keep(place.index);
     }
-    const Tab& tab = m_tabs[std::size_t(index)];
-    m_pages->setCurrentWidget(tab.page);
-    m_rowWidget = tab.editor ? tab.editor->tabRowWidget() : currentPanel() ? currentPanel()->tabRowWidget() : nullptr;
-    if (m_rowWidget) {
-        m_row->addWidget(m_rowWidget);
-        m_rowWidget->show();
-    }
-    note();
-    emit currentChanged();
+    show(place, !preview);
 }
 
-bool EditorArea::closeTab(int index)
+void EditorArea::openPanel(const PanelFactory& factory)
 {
-    if (index < 0 || index >= int(m_tabs.size()))
+    Found place = find({}, factory.id);
+    if (!place.group) {
+        auto tab = describeTab({}, factory.id);
+        if (!tab)
+            return;
+        place = {m_active, m_active->add(std::move(*tab))};
+    }
+    show(place, false);
+}
+
+void EditorArea::show(const Found& tab, bool withFocus)
+{
+    tab.group->setCurrent(tab.index);
+    activate(tab.group);
+    if (!withFocus)
+        return;
+    if (tab.group->window() != QApplication::activeWindow() && windowOf(tab.group)) {
+        tab.group->window()->raise();
+        tab.group->window()->activateWindow();
+    }
+    tab.group->focusPage();
+}
+
+void EditorArea::reveal(const Place& place)
+{
+    const Editor* before = current();
+    open(place.object, {}, false);
+    if (Editor* editor = current(); editor && editor->key() == place.object) {
+        editor->reveal(place);
+        if (before != editor || !m_visiting)
+            note();
+    }
+}
+
+bool EditorArea::closeTab(EditorGroup* group, int index)
+{
+    if (index < 0 || index >= group->count())
         return true;
-    const Tab tab = m_tabs[std::size_t(index)];
-    if (tab.editor && m_context.document().object(tab.editor->key()) && !tab.editor->mayClose())
+    Editor* editor = group->tab(index).editor;
+    if (editor && m_context.document().object(editor->key()) && !editor->mayClose())
         return false;
-    if (m_rowWidget && index == m_bar->currentIndex()) {
-        // It belongs to the editor, which takes it along.
-        m_row->removeWidget(m_rowWidget);
-        m_rowWidget->setParent(tab.page);
-        m_rowWidget = nullptr;
-    }
-    m_tabs.erase(m_tabs.begin() + index);
-    m_pages->removeWidget(tab.page);
-    m_bar->removeTab(index);
-    tab.page->deleteLater();
-    becameCurrent();
+    const Tab gone = group->take(index);
+    if (gone.page)
+        gone.page->deleteLater();
+    if (!m_arranging)
+        dissolve(group);
     return true;
 }
 
 bool EditorArea::closeCurrent()
 {
-    return closeTab(m_bar->currentIndex());
+    if (m_active->count() > 0)
+        return closeTab(m_active, m_active->currentIndex());
+    dissolve(m_active);
+    return true;
 }
 
 bool EditorArea::closeAll()
 {
-    while (!m_tabs.empty()) {
-        if (!closeTab(int(m_tabs.size()) - 1))
+    while (count() > 0) {
+        const auto all = groups();
+        EditorGroup* last = *std::find_if(all.rbegin(), all.rend(), [](const EditorGroup* group) { return group->count() > 0; });
+        if (!closeTab(last, last->count() - 1))
             return false;
     }
+    unite(); // empty groups
     m_history.clear();
-    m_historyAt = 0;
     return true;
-}
-
-void EditorArea::step(int direction)
-{
-    if (!m_tabs.empty())
-        m_bar->setCurrentIndex((m_bar->currentIndex() + direction + count()) % count());
-}
-
-std::vector<EditorArea::Open> EditorArea::opened() const
-{
-    std::vector<Open> out;
-    for (const Tab& tab : m_tabs)
-        out.push_back({tab.editor ? tab.editor->key() : ObjectKey{}, tab.viewId});
-    return out;
 }
 
 void EditorArea::follow(const ProjectChange& change)
@@ -245,61 +216,64 @@ void EditorArea::follow(const ProjectChange& change)
     }
     if (!change.listChanged)
         return;
-    for (int i = int(m_tabs.size()) - 1; i >= 0; --i) {
-        Editor* editor = m_tabs[std::size_t(i)].editor;
-        if (!editor || m_context.document().object(editor->key()))
-            continue;
-        // Gone, or renamed: exactly one object of the kind went and one came.
-        std::vector<ObjectKey> come;
-        for (const ObjectKey& key : change.objects) {
-            if (key.kind == editor->key().kind && m_context.document().object(key))
-                come.push_back(key);
-        }
-        const bool renamed = come.size() == 1 && change.objects.size() == 2;
-        if (renamed) {
-            editor->setKey(come.front());
-            m_bar->setTabText(i, editor->title());
-        } else {
-            closeTab(i);
+    for (EditorGroup* group : groups()) {
+        for (int i = group->count() - 1; i >= 0; --i) {
+            const ObjectKey& key = group->tab(i).key;
+            if (key != ObjectKey{} && !m_context.document().object(key))
+                followGone(group, i, change);
         }
     }
 }
 
-void EditorArea::note()
+/// The object of a tab is gone, or renamed: then exactly one object of the kind went and one came.
+void EditorArea::followGone(EditorGroup* group, int index, const ProjectChange& change)
 {
-    const Editor* editor = current();
-    if (!editor || m_visiting)
-        return;
-    const Place place = editor->place();
-    if (!m_history.empty() && m_history[m_historyAt].object == place.object && m_history[m_historyAt].field == place.field
-        && m_history[m_historyAt].range.line == place.range.line)
-        return;
-    if (!m_history.empty())
-        m_history.resize(m_historyAt + 1);
-    m_history.push_back(place);
-    if (m_history.size() > MaxHistory)
-        m_history.erase(m_history.begin());
-    m_historyAt = m_history.size() - 1;
+    std::vector<ObjectKey> come;
+    for (const ObjectKey& key : change.objects) {
+        if (key.kind == group->tab(index).key.kind && m_context.document().object(key))
+            come.push_back(key);
+    }
+    if (come.size() == 1 && change.objects.size() == 2)
+        group->setKey(index, come.front());
+    else
+        closeTab(group, index);
 }
 
-void EditorArea::visit(const Place& place)
+// --- back and forward
+
+void EditorArea::note()
 {
+    if (const Editor* editor = current(); editor && !m_visiting)
+        m_history.note(editor->place());
+}
+
+void EditorArea::visit(const Place* place)
+{
+    if (!place)
+        return;
     m_visiting = true;
-    reveal(place);
+    reveal(Place(*place));
     m_visiting = false;
 }
 
 void EditorArea::goBack()
 {
     note(); // where the user is now, to come back to
-    if (m_historyAt > 0)
-        visit(m_history[--m_historyAt]);
+    visit(m_history.back());
 }
 
 void EditorArea::goForward()
 {
-    if (m_historyAt + 1 < m_history.size())
-        visit(m_history[++m_historyAt]);
+    visit(m_history.forward());
+}
+
+void EditorArea::stepTab(int direction)
+{
+    const int tabs = m_active->count();
+    if (tabs == 0)
+        return;
+    m_active->setCurrent((m_active->currentIndex() + direction + tabs) % tabs);
+    m_active->focusPage();
 }
 
 } // namespace camwright

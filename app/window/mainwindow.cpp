@@ -2,6 +2,7 @@
 
 #include "app/window/badgetabbar.h"
 #include "app/window/connectionstrip.h"
+#include "app/window/editorwindow.h"
 #include "app/window/noticebar.h"
 #include "app/window/palette.h"
 #include "app/window/panelstack.h"
@@ -12,8 +13,6 @@
 
 #include <QApplication>
 #include <QCloseEvent>
-#include <QDataStream>
-#include <QIODevice>
 #include <QLabel>
 #include <QMenuBar>
 #include <QSplitter>
@@ -24,12 +23,6 @@
 namespace camwright {
 
 namespace {
-
-QString presetKey(Layout layout)
-{
-    static const char* keys[] = {"configure", "program", "commission", "analyse"};
-    return QString::fromLatin1(keys[int(layout)]);
-}
 
 std::vector<PanelFactory> panelsIn(const Registry& registry, PanelArea area)
 {
@@ -98,8 +91,7 @@ void MainWindow::build()
     m_status = new StatusLine(context, m_workspace.connection, m_workspace.workbench);
     column->addWidget(m_status);
     setCentralWidget(central);
-    connect(strip, &ConnectionStrip::showDifferencesRequested, this, [this] { download(); });
-    connect(strip, &ConnectionStrip::releaseForcesRequested, &m_workspace.connection, &Connection::releaseForces);
+    listenTo(*strip);
     connect(&context, &Context::notified, m_notice, &NoticeBar::tell);
     connect(&context, &Context::panelRequested, this, &MainWindow::showPanel);
     connect(&context, &Context::openRequested, m_editors, &EditorArea::open);
@@ -154,6 +146,7 @@ void MainWindow::buildDocks()
     m_bottom->panel(QStringLiteral("output"));
     for (QWidget* dock : {static_cast<QWidget*>(m_left), static_cast<QWidget*>(m_right), static_cast<QWidget*>(m_bottom)})
         dock->setMinimumWidth(180);
+    connect(m_editors, &EditorArea::windowMade, this, &MainWindow::equipWindow);
     connect(m_editors, &EditorArea::currentChanged, this, [this] {
         const Editor* editor = m_editors->current();
         m_right->setExtraPage(editor ? const_cast<Editor*>(editor)->propertiesWidget() : nullptr, tr("Properties"));
@@ -166,6 +159,29 @@ void MainWindow::buildDocks()
         m_status->setPosition(editor ? editor->positionText() : QString());
         refreshActions();
     });
+}
+
+/// A window beside this one: the same keys, and the strip that tells which machine is meant.
+void MainWindow::equipWindow(EditorWindow* window)
+{
+    for (const ActionRow& row : m_workspace.actions.rows())
+        window->addAction(m_workspace.actions.action(QString::fromLatin1(row.id)));
+    auto* strip = new ConnectionStrip(m_workspace.context, m_workspace.connection);
+    window->setHead(strip);
+    listenTo(*strip);
+}
+
+void MainWindow::listenTo(ConnectionStrip& strip)
+{
+    connect(&strip, &ConnectionStrip::showDifferencesRequested, this, [this] { download(); });
+    connect(&strip, &ConnectionStrip::releaseForcesRequested, &m_workspace.connection, &Connection::releaseForces);
+}
+
+/// Where a question or a palette belongs: over the window the user works in.
+QWidget* MainWindow::frontWindow()
+{
+    auto* active = qobject_cast<EditorWindow*>(QApplication::activeWindow());
+    return active ? static_cast<QWidget*>(active) : this;
 }
 
 void MainWindow::showProject(bool open)
@@ -249,6 +265,9 @@ void MainWindow::refreshActions()
     also(context.isOnline() && context.status().state == RunState::Run, Running);
     also(context.isOnline() && context.status().state != RunState::Run, Stopped);
     also(!m_workspace.workbench.isBusy(), Idle);
+    also(m_editors->activeGroup().count() > 0, TabOpen);
+    also(m_editors->canMove(), TabMovable);
+    also(m_editors->groups().size() > 1, SeveralGroups);
     m_workspace.actions.setState(holding, [this](const QString& id) { return canEdit(id); });
     const auto label = [this](const char* id, const QString& withName, const QString& plain, const QString& name) {
         m_workspace.actions.action(QString::fromLatin1(id))->setText(name.isEmpty() ? plain : withName.arg(name));
@@ -260,6 +279,7 @@ void MainWindow::refreshActions()
     check("view.right", m_right->isVisibleTo(m_across));
     check("view.bottom", m_bottom->isVisibleTo(m_down));
     check("view.dark", theme().isDark());
+    check("view.ownWindow", m_editors->isInOwnWindow());
 }
 
 void MainWindow::armedChanged(bool armed)
@@ -267,91 +287,7 @@ void MainWindow::armedChanged(bool armed)
     // While a panel is armed, F1 to F4, Esc and Space are the panel's, wherever the focus is (CONTRACTS 23).
     static const QList<QKeySequence> panelKeys{QKeySequence(Qt::Key_F1), QKeySequence(Qt::Key_F2), QKeySequence(Qt::Key_F3),
         QKeySequence(Qt::Key_F4), QKeySequence(Qt::Key_Escape), QKeySequence(Qt::Key_Space)};
-    if (!armed) {
-        for (auto it = m_keysWhileArmed.constBegin(); it != m_keysWhileArmed.constEnd(); ++it)
-            m_workspace.actions.setKeys(it.key(), it.value());
-        m_keysWhileArmed.clear();
-        return;
-    }
-    if (!m_keysWhileArmed.isEmpty())
-        return;
-    for (const ActionRow& row : m_workspace.actions.rows()) {
-        const QAction* action = m_workspace.actions.action(QString::fromLatin1(row.id));
-        for (const QKeySequence& key : action->shortcuts()) {
-            if (!panelKeys.contains(key))
-                continue;
-            m_keysWhileArmed.insert(action->objectName(), action->shortcuts());
-            m_workspace.actions.setKeys(action->objectName(), {});
-            break;
-        }
-    }
-}
-
-// --- layouts
-
-void MainWindow::setLayoutPreset(Layout layout)
-{
-    if (layout != m_layout)
-        saveLayout();
-    restoreLayout(layout);
-    refreshActions();
-}
-
-void MainWindow::saveLayout()
-{
-    if (m_pages->currentIndex() == 0)
-        return;
-    QByteArray bytes;
-    QDataStream out(&bytes, QIODevice::WriteOnly);
-    out << m_left->isVisibleTo(m_across) << m_right->isVisibleTo(m_across) << m_bottom->isVisibleTo(m_down) << m_across->saveState()
-        << m_down->saveState() << m_left->saveState() << m_bottom->currentId();
-    m_workspace.settings.setLayout(presetKey(m_layout), bytes);
-}
-
-void MainWindow::restoreLayout(Layout layout)
-{
-    m_layout = layout;
-    m_presets->setCurrentIndex(int(layout));
-    setDefaultLayout(layout);
-    QDataStream in(m_workspace.settings.layout(presetKey(layout)));
-    bool left = false, right = false, bottom = false;
-    QByteArray across, down, inLeft;
-    QString panel;
-    in >> left >> right >> bottom >> across >> down >> inLeft >> panel;
-    if (in.status() != QDataStream::Ok)
-        return;
-    m_left->setVisible(left);
-    m_right->setVisible(right && !m_right->isEmpty());
-    m_bottom->setVisible(bottom);
-    m_across->restoreState(across);
-    m_down->restoreState(down);
-    m_left->restoreState(inLeft);
-    m_bottom->showPanel(panel);
-}
-
-void MainWindow::setDefaultLayout(Layout layout)
-{
-    const bool side = layout == Layout::Configure || layout == Layout::Program;
-    m_left->setVisible(true);
-    m_right->setVisible(side && !m_right->isEmpty());
-    m_bottom->setVisible(true);
-    m_across->setSizes({236, 936, 268});
-    const int foot[] = {100, 190, 380, 560};
-    m_down->setSizes({800 - foot[int(layout)], foot[int(layout)]});
-    m_left->setSizes({600, 180});
-    const QString shown = layout == Layout::Program ? QStringLiteral("watch") : layout == Layout::Configure ? QStringLiteral("problems")
-        : m_bottom->has(QStringLiteral("trace"))    ? QStringLiteral("trace")
-                                                    : QStringLiteral("log");
-    m_bottom->showPanel(shown);
-    if (!m_workspace.document.isOpen())
-        return;
-    if (layout == Layout::Analyse)
-        showPanel(QStringLiteral("trace"));
-    if (layout != Layout::Commission)
-        return;
-    const auto axes = m_workspace.document.project().objects(ObjectKind::Axis);
-    if (!axes.empty() && m_workspace.registry.view(QStringLiteral("axis.commissioning")))
-        m_editors->open(axes.front()->key, QStringLiteral("axis.commissioning"), false);
+    m_workspace.actions.withhold(armed ? panelKeys : QList<QKeySequence>());
 }
 
 void MainWindow::setDark(bool dark)
@@ -369,6 +305,7 @@ void MainWindow::closeEvent(QCloseEvent* event)
     }
     saveLayout();
     m_workspace.settings.setLayout(QStringLiteral("window"), saveGeometry());
+    m_editors->closeWindows(); // the main window ends the program, and nothing is lost: the edits are the project's
     m_workspace.rememberProject();
     m_workspace.connection.disconnectNow();
     m_workspace.document.close();

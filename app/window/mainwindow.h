@@ -12,6 +12,7 @@ class QTabBar;
 namespace camwright {
 
 class ConnectionStrip;
+class EditorWindow;
 class NoticeBar;
 class PanelStack;
 class StartPage;
@@ -21,7 +22,8 @@ class ToolRow;
 enum class Layout { Configure, Program, Commission, Analyse };
 
 /// The window: menu, tools, strip, docks around the editors, status line. It knows actions, editors and panels only by
-/// their catalogues. Its parts are in mainwindow.cpp (making), windowmenus.cpp, windowfiles.cpp, windowonline.cpp.
+/// their catalogues. Its parts are in mainwindow.cpp (making), windowmenus.cpp, windowlayouts.cpp, windowfiles.cpp,
+/// windowonline.cpp.
 class MainWindow : public QMainWindow {
     Q_OBJECT
 public:
@@ -39,7 +41,8 @@ public:
     /// Opens a project, goes online with its virtual controller, downloads and runs: what `--demo` asks for.
     void runDemo(const QString& path);
     void download(bool thenRun = false, bool askFirst = true);
-    std::vector<EditorArea::Open> opened() const { return m_editors->opened(); }
+    /// Without it layouts are neither remembered nor overwritten: for taking pictures.
+    void setKeepsLayouts(bool keeps) { m_keepsLayouts = keeps; }
 
 signals:
     void languageRequested(const QString& language);
@@ -63,7 +66,13 @@ private:
     QWidget* focusedPart() const;          ///< the editor or panel that has the focus, else the current editor
     void saveLayout();
     void restoreLayout(Layout layout);
+    void restoreDocks(Layout layout);
+    bool restoreEditors(EditorArea::Missing missing);      ///< false: nothing was remembered
+    void showPresetView(Layout layout);
     void setDefaultLayout(Layout layout);
+    void equipWindow(EditorWindow* window);
+    void listenTo(ConnectionStrip& strip);
+    QWidget* frontWindow();
     void armedChanged(bool armed);
     void setDark(bool dark);
 
@@ -95,7 +104,7 @@ private:
     QTabBar* m_presets = nullptr;
     Layout m_layout = Layout::Program;
     bool m_askingOutside = false;
-    QMap<QString, QList<QKeySequence>> m_keysWhileArmed;
+    bool m_keepsLayouts = true;
 };
 
 } // namespace camwright

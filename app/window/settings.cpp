@@ -3,6 +3,7 @@
 #include "editors/words/words.h"
 
 #include <QCoreApplication>
+#include <QCryptographicHash>
 #include <QDir>
 #include <QFileInfo>
 #include <QGuiApplication>
@@ -17,12 +18,19 @@ namespace {
 
 constexpr int MaxRecent = 10;
 constexpr int MaxAddresses = 8;
+constexpr int MaxArranged = 30; // projects whose editors are remembered
 
 QString layoutKey(const QString& key)
 {
     const QScreen* screen = QGuiApplication::primaryScreen();
     const QSize size = screen ? screen->size() : QSize();
     return QStringLiteral("layout/%1x%2/%3").arg(size.width()).arg(size.height()).arg(key);
+}
+
+/// Short and without characters that mean something in a settings file.
+QString projectKey(const QString& path)
+{
+    return QString::fromLatin1(QCryptographicHash::hash(QDir::cleanPath(path).toUtf8(), QCryptographicHash::Sha1).toHex().left(16));
 }
 
 } // namespace
@@ -148,6 +156,56 @@ void Settings::setLayout(const QString& key, const QByteArray& state)
 void Settings::forgetLayouts()
 {
     QSettings().remove(QStringLiteral("layout"));
+}
+
+QByteArray Settings::editors(const QString& projectPath, const QString& layout) const
+{
+    return projectPath.isEmpty() ? QByteArray() : this->layout(QStringLiteral("editors/%1/%2").arg(projectKey(projectPath), layout));
+}
+
+void Settings::setEditors(const QString& projectPath, const QString& layout, const QByteArray& arrangement)
+{
+    if (projectPath.isEmpty())
+        return;
+    const QString key = projectKey(projectPath);
+    setLayout(QStringLiteral("editors/%1/%2").arg(key, layout), arrangement);
+    QSettings settings;
+    const QString orderKey = layoutKey(QStringLiteral("arranged"));
+    QStringList order = settings.value(orderKey).toStringList();
+    order.removeAll(key);
+    order.prepend(key);
+    while (order.size() > MaxArranged)
+        settings.remove(layoutKey(QStringLiteral("editors/") + order.takeLast()));
+    settings.setValue(orderKey, order);
+}
+
+QString Settings::keyMap() const
+{
+    return QSettings().value(QStringLiteral("keys/map")).toString();
+}
+
+void Settings::setKeyMap(const QString& id)
+{
+    QSettings().setValue(QStringLiteral("keys/map"), id);
+}
+
+QMap<QString, QString> Settings::changedKeys(const QString& keyMap) const
+{
+    QMap<QString, QString> out;
+    QSettings settings;
+    settings.beginGroup(QStringLiteral("keys/changed-") + keyMap);
+    for (const QString& action : settings.childKeys())
+        out.insert(action, settings.value(action).toString());
+    return out;
+}
+
+void Settings::setChangedKeys(const QString& keyMap, const QMap<QString, QString>& keys)
+{
+    QSettings settings;
+    settings.beginGroup(QStringLiteral("keys/changed-") + keyMap);
+    settings.remove(QString());
+    for (auto it = keys.begin(); it != keys.end(); ++it)
+        settings.setValue(it.key(), it.value());
 }
 
 QString Settings::projectsFolder() const

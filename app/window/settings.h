@@ -5,6 +5,7 @@
 #include <QByteArray>
 #include <QDateTime>
 #include <QList>
+#include <QMap>
 #include <QString>
 
 namespace camwright {
@@ -44,6 +45,16 @@ public:
     QByteArray layout(const QString& key) const;
     void setLayout(const QString& key, const QByteArray& state);
     void forgetLayouts();
+    /// How the editors of a project stand in a layout (Arrangement::toBytes). Kept for the projects used last.
+    QByteArray editors(const QString& projectPath, const QString& layout) const;
+    void setEditors(const QString& projectPath, const QString& layout, const QByteArray& arrangement);
+
+    QString keyMap() const;                      ///< id; empty: the default one
+    void setKeyMap(const QString& id);
+    /// The user's own keys on top of a map: by action, portable text, empty for none.
+    QMap<QString, QString> changedKeys(const QString& keyMap) const;
+    void setChangedKeys(const QString& keyMap, const QMap<QString, QString>& keys);
+
     QString projectsFolder() const;              ///< where new projects are proposed
     void setProjectsFolder(const QString& folder);
 };

@@ -99,6 +99,7 @@ bool MainWindow::openProject(const QString& path)
     if (!mayCloseProject())
         return false;
     m_workspace.rememberProject();
+    saveLayout();
     if (!m_editors->closeAll())
         return false;
     if (const auto opened = m_workspace.document.open(path); !opened) {
@@ -111,7 +112,7 @@ bool MainWindow::openProject(const QString& path)
     if (m_workspace.document.isReadOnly())
         m_workspace.context.notify(Severity::Warning, tr("Another Camwright works on this project. Edits here can be saved only under another name."));
     const auto programs = m_workspace.document.project().objects(ObjectKind::Program);
-    if (!programs.empty())
+    if (!restoreEditors(EditorArea::Missing::Open) && !programs.empty())
         m_workspace.context.open(programs.front()->key);
     offerRecovery();
     return true;
@@ -205,6 +206,7 @@ void MainWindow::newProject(const QString& familyId)
         return;
     m_workspace.settings.setProjectsFolder(dialog.parentFolder());
     m_workspace.rememberProject();
+    saveLayout();
     if (const auto made = m_workspace.document.create(dialog.project(), dialog.path()); !made) {
         tell(tr("The project was not created."), made.error());
         return;
@@ -222,9 +224,11 @@ void MainWindow::chooseProject()
 
 void MainWindow::closeProject()
 {
-    if (!mayCloseProject() || !m_editors->closeAll())
+    if (!mayCloseProject())
         return;
     saveLayout();
+    if (!m_editors->closeAll())
+        return;
     m_workspace.rememberProject();
     m_workspace.document.close();
 }

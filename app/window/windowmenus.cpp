@@ -33,7 +33,8 @@ void MainWindow::buildMenus()
     menu(tr("&Edit"), {"edit.undo", "edit.redo", "", "edit.cut", "edit.copy", "edit.paste", "edit.delete", "edit.duplicate", "edit.selectAll", "", "edit.rename", "",
                           "edit.find", "edit.replace", "edit.quickFix"});
     QMenu* view = menu(tr("&View"), {"view.configure", "view.program", "view.commission", "view.analyse", "view.resetLayout", "", "view.left", "view.right", "view.bottom", "",
-                                        "view.closeTab", "view.dark", ""});
+                                        "view.splitRight", "view.splitDown", "view.moveTab", "view.ownWindow", "view.unite", "", "view.tabLeft", "view.tabRight", "view.closeTab", "",
+                                        "view.dark", ""});
     for (const PanelFactory& factory : m_workspace.registry.panels()) {
         if (factory.area == PanelArea::Left)
             continue;
@@ -42,7 +43,7 @@ void MainWindow::buildMenus()
                 showPanel(id);
         });
     }
-    menu(tr("&Go"), {"go.anything", "go.action", "", "go.back", "go.forward", "", "go.definition", "go.references", "", "go.nextProblem", "go.previousProblem"});
+    menu(tr("&Go"), {"go.anything", "go.action", "", "go.back", "go.forward", "", "go.nextTab", "go.previousTab", "go.nextGroup", "go.previousGroup", "", "go.definition", "go.references", "", "go.nextProblem", "go.previousProblem"});
     menu(tr("&Project"), {"project.check", "project.build"});
     menu(tr("&Controller"), {"online.connect", "online.disconnect", "", "online.download", "online.run", "online.stop", "", "online.releaseForces", "online.stopAxes"});
     menu(tr("&Help"), {"help.docs", "", "help.about"});
@@ -85,7 +86,9 @@ void MainWindow::connectActions()
         on(presets[i], [this, i] { setLayoutPreset(Layout(i)); });
     on("view.resetLayout", [this] {
         m_workspace.settings.forgetLayouts();
+        m_editors->unite();
         setDefaultLayout(m_layout);
+        showPresetView(m_layout);
         refreshActions();
     });
     on("view.left", [this](bool show) { m_left->setVisible(show); });
@@ -93,14 +96,25 @@ void MainWindow::connectActions()
     on("view.bottom", [this](bool show) { m_bottom->setVisible(show); });
     on("view.closeTab", [this] { m_editors->closeCurrent(); });
     on("view.dark", [this](bool dark) { setDark(dark); });
+    on("view.splitRight", [this] { m_editors->split(Side::Right); });
+    on("view.splitDown", [this] { m_editors->split(Side::Below); });
+    on("view.moveTab", [this] { m_editors->moveToNextGroup(); });
+    on("view.ownWindow", [this] { m_editors->toggleOwnWindow(); });
+    on("view.unite", [this] { m_editors->unite(); });
+    on("view.tabLeft", [this] { m_editors->moveCurrentTab(-1); });
+    on("view.tabRight", [this] { m_editors->moveCurrentTab(1); });
+    on("go.nextTab", [this] { m_editors->stepTab(1); });
+    on("go.previousTab", [this] { m_editors->stepTab(-1); });
+    on("go.nextGroup", [this] { m_editors->stepGroup(1); });
+    on("go.previousGroup", [this] { m_editors->stepGroup(-1); });
     on("go.back", [this] { m_editors->goBack(); });
     on("go.forward", [this] { m_editors->goForward(); });
     on("go.anything", [this] {
-        auto* palette = new Palette(tr("Find Anything"), tr("Name of an object or variable"), findableObjects(m_workspace.context), this);
+        auto* palette = new Palette(tr("Find Anything"), tr("Name of an object or variable"), findableObjects(m_workspace.context), frontWindow());
         palette->show();
     });
     on("go.action", [this] {
-        auto* palette = new Palette(tr("Find Action"), tr("Name of an action"), findableActions(m_workspace.context), this);
+        auto* palette = new Palette(tr("Find Action"), tr("Name of an action"), findableActions(m_workspace.context), frontWindow());
         palette->show();
     });
     const auto stepProblem = [this](int direction) {

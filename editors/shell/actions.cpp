@@ -5,6 +5,8 @@
 
 #include <QCoreApplication>
 
+#include <algorithm>
+
 namespace camwright {
 
 namespace {
@@ -28,10 +30,9 @@ void ActionCatalogue::add(const ActionRow& row)
     made->setObjectName(id);
     made->setCheckable(row.checkable);
     made->setShortcutContext(Qt::WindowShortcut);
-    if (*row.keys)
-        made->setShortcuts(QKeySequence::listFromString(QString::fromLatin1(row.keys).replace(QLatin1String(", "), QLatin1String("; ")),
-            QKeySequence::PortableText));
     m_actions.emplace(id, made);
+    m_keys[id] = defaultKeys(row);
+    applyKeys(id);
     made->setToolTip(toolTip(row));
     made->setStatusTip(translated(row.toolTip));
     emit actionAdded(made);
@@ -51,10 +52,9 @@ QAction* ActionCatalogue::action(const QString& id) const
 
 QString ActionCatalogue::toolTip(const ActionRow& row) const
 {
-    const QAction* made = action(QString::fromLatin1(row.id));
     QString name = words::plainName(translated(row.text));
-    if (made && !made->shortcut().isEmpty())
-        name += QStringLiteral(" (%1)").arg(made->shortcut().toString(QKeySequence::NativeText));
+    if (const auto own = keys(QString::fromLatin1(row.id)); !own.isEmpty())
+        name += QStringLiteral(" (%1)").arg(own.first().toString(QKeySequence::NativeText));
     QString out = QStringLiteral("<b>%1</b><br>%2").arg(name.toHtmlEscaped(), translated(row.toolTip).toHtmlEscaped());
     const auto reason = m_reasons.find(QString::fromLatin1(row.id));
     if (reason != m_reasons.end() && !reason->second.isEmpty())
@@ -85,6 +85,12 @@ QString ActionCatalogue::whyDisabled(const ActionRow& row, Availability missing)
         return tr("Everything is saved.");
     if (missing & Availability::Problems)
         return tr("There is no problem.");
+    if (missing & Availability::TabOpen)
+        return tr("No tab is open.");
+    if (missing & Availability::TabMovable)
+        return tr("There is no other place for the tab. Split the editors first.");
+    if (missing & Availability::SeveralGroups)
+        return tr("There is one group of tabs only.");
     return tr("The current view does not offer it.");
 }
 
@@ -112,10 +118,45 @@ void ActionCatalogue::retranslate()
     }
 }
 
+// --- keys
+
+QList<QKeySequence> ActionCatalogue::defaultKeys(const ActionRow& row)
+{
+    QList<QKeySequence> out;
+    for (const QString& key : QString::fromLatin1(row.keys).split(QStringLiteral(", "), Qt::SkipEmptyParts))
+        out << QKeySequence::fromString(key, QKeySequence::PortableText);
+    return out;
+}
+
+QList<QKeySequence> ActionCatalogue::keys(const QString& id) const
+{
+    const auto found = m_keys.find(id);
+    return found == m_keys.end() ? QList<QKeySequence>() : found->second;
+}
+
 void ActionCatalogue::setKeys(const QString& id, const QList<QKeySequence>& keys)
 {
-    if (QAction* made = action(id))
-        made->setShortcuts(keys);
+    if (!action(id) || keys == this->keys(id))
+        return;
+    m_keys[id] = keys;
+    applyKeys(id);
+    const auto row = std::find_if(m_rows.begin(), m_rows.end(), [&](const ActionRow& each) { return id == QLatin1String(each.id); });
+    action(id)->setToolTip(toolTip(*row));
+    emit keysChanged();
+}
+
+void ActionCatalogue::withhold(const QList<QKeySequence>& keys)
+{
+    m_withheld = keys;
+    for (const auto& [id, own] : m_keys)
+        applyKeys(id);
+}
+
+void ActionCatalogue::applyKeys(const QString& id)
+{
+    QList<QKeySequence> free = m_keys.at(id);
+    free.removeIf([this](const QKeySequence& key) { return m_withheld.contains(key); });
+    m_actions.at(id)->setShortcuts(free);
 }
 
 } // namespace camwright

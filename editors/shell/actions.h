@@ -26,6 +26,9 @@ enum class Availability : unsigned {
     Modified = 256,
     Idle = 512,           ///< no check, build or download is running
     Problems = 1024,
+    TabOpen = 2048,       ///< the active group of editors has a tab
+    TabMovable = 4096,    ///< and the tab has somewhere to go
+    SeveralGroups = 8192,
 };
 inline Availability operator|(Availability a, Availability b) { return Availability(unsigned(a) | unsigned(b)); }
 inline bool operator&(Availability a, Availability b) { return (unsigned(a) & unsigned(b)) != 0; }
@@ -58,7 +61,13 @@ public:
     /// Which states hold now; enables and disables. `reasonFor` fills the tool tip of what is off.
     void setState(Availability holding, const std::function<bool(const QString& id)>& editorCan);
     void retranslate();
+
+    /// The keys as the catalogue's rows give them.
+    static QList<QKeySequence> defaultKeys(const ActionRow& row);
+    QList<QKeySequence> keys(const QString& id) const;
     void setKeys(const QString& id, const QList<QKeySequence>& keys);
+    /// These keys belong to somebody else for now: no action answers to them until the list is emptied.
+    void withhold(const QList<QKeySequence>& keys);
 
     template <class Receiver, class Slot>
     void on(const QString& id, Receiver* receiver, Slot slot)
@@ -68,13 +77,17 @@ public:
 
 signals:
     void actionAdded(QAction* action);
+    void keysChanged();
 
 private:
+    void applyKeys(const QString& id);
     QString whyDisabled(const ActionRow& row, Availability missing) const;
 
     std::vector<ActionRow> m_rows;
     std::map<QString, QAction*> m_actions;
     std::map<QString, QString> m_reasons;
+    std::map<QString, QList<QKeySequence>> m_keys;
+    QList<QKeySequence> m_withheld;
 };
 
 } // namespace camwright

@@ -181,6 +181,7 @@ private slots:
             window.showPanel(factory.id);
             look(window, "panel-" + factory.id);
         }
+        lookAtSplits(workspace, window);
         lookAtDialogs(workspace, window);
         QCOMPARE(m_complaints.join("\n"), QString());
         workspace.connection.disconnectNow();
@@ -195,6 +196,21 @@ private:
         workspace.context.open(objects.front()->key, factory.viewId);
         QVERIFY2(window.editors().current(), qPrintable(factory.viewId));
         look(window, "editor-" + factory.viewId + "-" + how);
+    }
+
+    void lookAtSplits(Workspace& workspace, MainWindow& window)
+    {
+        window.setLayoutPreset(Layout::Program);
+        workspace.context.open({ObjectKind::Program, "Main"});
+        workspace.actions.action("view.splitRight")->trigger();
+        workspace.context.open({ObjectKind::VariableTable, "Globals"});
+        workspace.actions.action("view.splitDown")->trigger();
+        look(window, "editors-split");
+        workspace.actions.action("view.ownWindow")->trigger();
+        auto* own = qobject_cast<QWidget*>(window.editors().activeGroup().window());
+        QVERIFY(own && own != &window);
+        look(*own, "editors-own-window");
+        window.editors().unite();
     }
 
     void lookAtDialogs(Workspace& workspace, MainWindow& window)
