@@ -8,6 +8,10 @@
         <translation>&amp;О программе Camwright</translation>
     </message>
     <message>
+        <source>&amp;All Tabs in One Group</source>
+        <translation>Все вкладки в &amp;одну группу</translation>
+    </message>
+    <message>
         <source>&amp;Back</source>
         <translation>На&amp;зад</translation>
     </message>
@@ -70,6 +74,10 @@
     <message>
         <source>&amp;Import Kinco Program Text...</source>
         <translation>&amp;Импортировать текст программы Kinco...</translation>
+    </message>
+    <message>
+        <source>&amp;Move Tab to Next Group</source>
+        <translation>Вкладку в &amp;следующую группу</translation>
     </message>
     <message>
         <source>&amp;New Project...</source>
@@ -196,6 +204,10 @@
         <translation>Завершает Camwright; виртуальный контроллер ещё некоторое время работает.</translation>
     </message>
     <message>
+        <source>Ends every split and brings the tabs of other windows back.</source>
+        <translation>Убирает все разделения и возвращает вкладки из других окон.</translation>
+    </message>
+    <message>
         <source>Ends the connection; the controller goes on as it is.</source>
         <translation>Завершает соединение; контроллер продолжает работать как есть.</translation>
     </message>
@@ -248,6 +260,10 @@
         <translation>Переходит к предыдущему совпадению.</translation>
     </message>
     <message>
+        <source>Goes to the next group of tabs, in whichever window it is.</source>
+        <translation>Переходит к следующей группе вкладок, в каком бы окне она ни была.</translation>
+    </message>
+    <message>
         <source>Goes to the next hit.</source>
         <translation>Переходит к следующему совпадению.</translation>
     </message>
@@ -258,6 +274,10 @@
     <message>
         <source>Goes to the place before.</source>
         <translation>Переходит к предыдущему месту.</translation>
+    </message>
+    <message>
+        <source>Goes to the previous group of tabs.</source>
+        <translation>Переходит к предыдущей группе вкладок.</translation>
     </message>
     <message>
         <source>Goes to where the symbol is declared.</source>
@@ -300,8 +320,40 @@
         <translation>Создаёт проект для семейства и модели контроллера.</translation>
     </message>
     <message>
+        <source>Move Tab &amp;Left</source>
+        <translation>Вкладку в&amp;лево</translation>
+    </message>
+    <message>
+        <source>Move Tab Ri&amp;ght</source>
+        <translation>Вкладку в&amp;право</translation>
+    </message>
+    <message>
+        <source>Moves the current tab into a window of its own, or back into the main window.</source>
+        <translation>Переносит текущую вкладку в отдельное окно или обратно в главное.</translation>
+    </message>
+    <message>
+        <source>Moves the current tab one place to the left.</source>
+        <translation>Сдвигает текущую вкладку на одно место влево.</translation>
+    </message>
+    <message>
+        <source>Moves the current tab one place to the right.</source>
+        <translation>Сдвигает текущую вкладку на одно место вправо.</translation>
+    </message>
+    <message>
+        <source>Moves the current tab to the next group of tabs, in whichever window it is.</source>
+        <translation>Переносит текущую вкладку в следующую группу, в каком бы окне она ни была.</translation>
+    </message>
+    <message>
         <source>Moves the selection to the clipboard.</source>
         <translation>Переносит выделенное в буфер обмена.</translation>
+    </message>
+    <message>
+        <source>Next &amp;Group</source>
+        <translation>Следующая &amp;группа</translation>
+    </message>
+    <message>
+        <source>Next &amp;Tab</source>
+        <translation>Следующая &amp;вкладка</translation>
     </message>
     <message>
         <source>Offers ways out of the problem under the cursor.</source>
@@ -320,12 +372,28 @@
         <translation>Открывает папку проекта.</translation>
     </message>
     <message>
+        <source>Previous Gro&amp;up</source>
+        <translation>Предыдущая г&amp;руппа</translation>
+    </message>
+    <message>
+        <source>Previous Ta&amp;b</source>
+        <translation>Предыдущая в&amp;кладка</translation>
+    </message>
+    <message>
         <source>Project &amp;Tree</source>
         <translation>&amp;Дерево проекта</translation>
     </message>
     <message>
         <source>Puts every dock back to where it was at first.</source>
         <translation>Возвращает все панели на исходные места.</translation>
+    </message>
+    <message>
+        <source>Puts the current tab into a group of its own at the right.</source>
+        <translation>Помещает текущую вкладку в отдельную группу справа.</translation>
+    </message>
+    <message>
+        <source>Puts the current tab into a group of its own below.</source>
+        <translation>Помещает текущую вкладку в отдельную группу снизу.</translation>
     </message>
     <message>
         <source>Puts the selected lines into comments, or takes them out.</source>
@@ -388,6 +456,10 @@
         <translation>Показывает следующую проблему на её месте.</translation>
     </message>
     <message>
+        <source>Shows the next tab of the group.</source>
+        <translation>Показывает следующую вкладку группы.</translation>
+    </message>
+    <message>
         <source>Shows the pages that come with Camwright.</source>
         <translation>Показывает страницы, которые поставляются с Camwright.</translation>
     </message>
@@ -396,8 +468,20 @@
         <translation>Показывает предыдущую проблему на её месте.</translation>
     </message>
     <message>
+        <source>Shows the previous tab of the group.</source>
+        <translation>Показывает предыдущую вкладку группы.</translation>
+    </message>
+    <message>
         <source>Shows what changes, then replaces the controller&apos;s program.</source>
         <translation>Показывает, что изменится, затем заменяет программу контроллера.</translation>
+    </message>
+    <message>
+        <source>Split Do&amp;wn</source>
+        <translation>Разделить в&amp;низ</translation>
+    </message>
+    <message>
+        <source>Split R&amp;ight</source>
+        <translation>Разделить впр&amp;аво</translation>
     </message>
     <message>
         <source>Starts the controller&apos;s program.</source>
@@ -420,6 +504,10 @@
         <translation>Переключает светлую и тёмную тему.</translation>
     </message>
     <message>
+        <source>Tab in Its &amp;Own Window</source>
+        <translation>Вкладка в отдельном &amp;окне</translation>
+    </message>
+    <message>
         <source>Takes back the project&apos;s last step, in whichever editor it was.</source>
         <translation>Отменяет последний шаг проекта, в каком бы редакторе он ни был сделан.</translation>
     </message>
@@ -428,8 +516,8 @@
         <translation>Осциллограф во весь размер.</translation>
     </message>
     <message>
-        <source>Theme and language.</source>
-        <translation>Тема и язык.</translation>
+        <source>Theme, language and keys.</source>
+        <translation>Тема, язык и клавиши.</translation>
     </message>
     <message>
         <source>Tree, editor and properties.</source>
@@ -2073,6 +2161,10 @@
         <translation>Проект не открыт.</translation>
     </message>
     <message>
+        <source>No tab is open.</source>
+        <translation>Ни одна вкладка не открыта.</translation>
+    </message>
+    <message>
         <source>The controller does not run.</source>
         <translation>Контроллер не работает.</translation>
     </message>
@@ -2085,6 +2177,10 @@
         <translation>В текущем виде это недоступно.</translation>
     </message>
     <message>
+        <source>There is no other place for the tab. Split the editors first.</source>
+        <translation>Другого места для вкладки нет. Сначала разделите область редакторов.</translation>
+    </message>
+    <message>
         <source>There is no problem.</source>
         <translation>Проблем нет.</translation>
     </message>
@@ -2095,6 +2191,10 @@
     <message>
         <source>There is no step to undo.</source>
         <translation>Нет шага для отмены.</translation>
+    </message>
+    <message>
+        <source>There is one group of tabs only.</source>
+        <translation>Группа вкладок только одна.</translation>
     </message>
 </context>
 <context>
@@ -2873,8 +2973,12 @@
 <context>
     <name>camwright::EditorArea</name>
     <message>
-        <source>Open an object from the project tree, or press Ctrl+P to find one.</source>
-        <translation>Откройте объект из дерева проекта или нажмите Ctrl+P для поиска.</translation>
+        <source>Open an object from the project tree, or press %1 to find one.</source>
+        <translation>Откройте объект в дереве проекта или нажмите %1, чтобы найти его.</translation>
+    </message>
+    <message>
+        <source>Open an object from the project tree.</source>
+        <translation>Откройте объект в дереве проекта.</translation>
     </message>
 </context>
 <context>

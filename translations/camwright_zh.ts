@@ -8,6 +8,10 @@
         <translation>关于 Camwright(&amp;A)</translation>
     </message>
     <message>
+        <source>&amp;All Tabs in One Group</source>
+        <translation>所有标签页归为一组(&amp;A)</translation>
+    </message>
+    <message>
         <source>&amp;Back</source>
         <translation>后退(&amp;B)</translation>
     </message>
@@ -70,6 +74,10 @@
     <message>
         <source>&amp;Import Kinco Program Text...</source>
         <translation>导入 Kinco 程序文本(&amp;I)...</translation>
+    </message>
+    <message>
+        <source>&amp;Move Tab to Next Group</source>
+        <translation>将标签页移到下一组(&amp;M)</translation>
     </message>
     <message>
         <source>&amp;New Project...</source>
@@ -196,6 +204,10 @@
         <translation>结束 Camwright；虚拟控制器继续运行一段时间。</translation>
     </message>
     <message>
+        <source>Ends every split and brings the tabs of other windows back.</source>
+        <translation>取消所有拆分，并收回其他窗口中的标签页。</translation>
+    </message>
+    <message>
         <source>Ends the connection; the controller goes on as it is.</source>
         <translation>结束连接；控制器保持原样运行。</translation>
     </message>
@@ -248,6 +260,10 @@
         <translation>转到上一处匹配。</translation>
     </message>
     <message>
+        <source>Goes to the next group of tabs, in whichever window it is.</source>
+        <translation>转到下一组标签页，无论它在哪个窗口。</translation>
+    </message>
+    <message>
         <source>Goes to the next hit.</source>
         <translation>转到下一处匹配。</translation>
     </message>
@@ -258,6 +274,10 @@
     <message>
         <source>Goes to the place before.</source>
         <translation>回到前一个位置。</translation>
+    </message>
+    <message>
+        <source>Goes to the previous group of tabs.</source>
+        <translation>转到上一组标签页。</translation>
     </message>
     <message>
         <source>Goes to where the symbol is declared.</source>
@@ -300,8 +320,40 @@
         <translation>为某一控制器系列和型号建立工程。</translation>
     </message>
     <message>
+        <source>Move Tab &amp;Left</source>
+        <translation>标签页左移(&amp;L)</translation>
+    </message>
+    <message>
+        <source>Move Tab Ri&amp;ght</source>
+        <translation>标签页右移(&amp;G)</translation>
+    </message>
+    <message>
+        <source>Moves the current tab into a window of its own, or back into the main window.</source>
+        <translation>将当前标签页移到独立窗口，或移回主窗口。</translation>
+    </message>
+    <message>
+        <source>Moves the current tab one place to the left.</source>
+        <translation>将当前标签页向左移动一位。</translation>
+    </message>
+    <message>
+        <source>Moves the current tab one place to the right.</source>
+        <translation>将当前标签页向右移动一位。</translation>
+    </message>
+    <message>
+        <source>Moves the current tab to the next group of tabs, in whichever window it is.</source>
+        <translation>将当前标签页移到下一组，无论它在哪个窗口。</translation>
+    </message>
+    <message>
         <source>Moves the selection to the clipboard.</source>
         <translation>将所选内容移到剪贴板。</translation>
+    </message>
+    <message>
+        <source>Next &amp;Group</source>
+        <translation>下一组(&amp;G)</translation>
+    </message>
+    <message>
+        <source>Next &amp;Tab</source>
+        <translation>下一个标签页(&amp;T)</translation>
     </message>
     <message>
         <source>Offers ways out of the problem under the cursor.</source>
@@ -320,12 +372,28 @@
         <translation>打开一个工程文件夹。</translation>
     </message>
     <message>
+        <source>Previous Gro&amp;up</source>
+        <translation>上一组(&amp;U)</translation>
+    </message>
+    <message>
+        <source>Previous Ta&amp;b</source>
+        <translation>上一个标签页(&amp;B)</translation>
+    </message>
+    <message>
         <source>Project &amp;Tree</source>
         <translation>工程树(&amp;T)</translation>
     </message>
     <message>
         <source>Puts every dock back to where it was at first.</source>
         <translation>将所有停靠栏放回最初的位置。</translation>
+    </message>
+    <message>
+        <source>Puts the current tab into a group of its own at the right.</source>
+        <translation>将当前标签页放入右侧的新组。</translation>
+    </message>
+    <message>
+        <source>Puts the current tab into a group of its own below.</source>
+        <translation>将当前标签页放入下方的新组。</translation>
     </message>
     <message>
         <source>Puts the selected lines into comments, or takes them out.</source>
@@ -388,6 +456,10 @@
         <translation>在其位置显示下一个问题。</translation>
     </message>
     <message>
+        <source>Shows the next tab of the group.</source>
+        <translation>显示本组的下一个标签页。</translation>
+    </message>
+    <message>
         <source>Shows the pages that come with Camwright.</source>
         <translation>显示 Camwright 自带的页面。</translation>
     </message>
@@ -396,8 +468,20 @@
         <translation>在其位置显示上一个问题。</translation>
     </message>
     <message>
+        <source>Shows the previous tab of the group.</source>
+        <translation>显示本组的上一个标签页。</translation>
+    </message>
+    <message>
         <source>Shows what changes, then replaces the controller&apos;s program.</source>
         <translation>显示将改变的内容，然后替换控制器的程序。</translation>
+    </message>
+    <message>
+        <source>Split Do&amp;wn</source>
+        <translation>向下拆分(&amp;W)</translation>
+    </message>
+    <message>
+        <source>Split R&amp;ight</source>
+        <translation>向右拆分(&amp;I)</translation>
     </message>
     <message>
         <source>Starts the controller&apos;s program.</source>
@@ -420,6 +504,10 @@
         <translation>在浅色与深色之间切换。</translation>
     </message>
     <message>
+        <source>Tab in Its &amp;Own Window</source>
+        <translation>标签页在独立窗口中(&amp;O)</translation>
+    </message>
+    <message>
         <source>Takes back the project&apos;s last step, in whichever editor it was.</source>
         <translation>撤销工程的上一步，无论它在哪个编辑器中。</translation>
     </message>
@@ -428,8 +516,8 @@
         <translation>大示波器。</translation>
     </message>
     <message>
-        <source>Theme and language.</source>
-        <translation>主题和语言。</translation>
+        <source>Theme, language and keys.</source>
+        <translation>主题、语言和按键。</translation>
     </message>
     <message>
         <source>Tree, editor and properties.</source>
@@ -2071,6 +2159,10 @@
         <translation>没有打开工程。</translation>
     </message>
     <message>
+        <source>No tab is open.</source>
+        <translation>没有打开的标签页。</translation>
+    </message>
+    <message>
         <source>The controller does not run.</source>
         <translation>控制器没有运行。</translation>
     </message>
@@ -2083,6 +2175,10 @@
         <translation>当前视图不提供此操作。</translation>
     </message>
     <message>
+        <source>There is no other place for the tab. Split the editors first.</source>
+        <translation>标签页没有其他位置可去。请先拆分编辑器。</translation>
+    </message>
+    <message>
         <source>There is no problem.</source>
         <translation>没有问题。</translation>
     </message>
@@ -2093,6 +2189,10 @@
     <message>
         <source>There is no step to undo.</source>
         <translation>没有可撤销的步骤。</translation>
+    </message>
+    <message>
+        <source>There is one group of tabs only.</source>
+        <translation>只有一组标签页。</translation>
     </message>
 </context>
 <context>
@@ -2869,8 +2969,12 @@
 <context>
     <name>camwright::EditorArea</name>
     <message>
-        <source>Open an object from the project tree, or press Ctrl+P to find one.</source>
-        <translation>从工程树打开一个对象，或按 Ctrl+P 查找。</translation>
+        <source>Open an object from the project tree, or press %1 to find one.</source>
+        <translation>从项目树中打开一个对象，或按 %1 查找。</translation>
+    </message>
+    <message>
+        <source>Open an object from the project tree.</source>
+        <translation>从项目树中打开一个对象。</translation>
     </message>
 </context>
 <context>
