@@ -99,7 +99,7 @@ void IlLexer::styleText(int start, int end)
     startStyling(position);
     const int lines = static_cast<int>(view->SendScintilla(QsciScintilla::SCI_GETLINECOUNT));
     for (int at = position; line < lines && at <= end; ++line) {
-        const int next = static_cast<int>(line + 1 < lines ? view->SendScintilla(QsciScintilla::SCI_POSITIONFROMLINE, static_cast<unsigned long>(line + 1))
+        const int next = static_cast<int>(line + 1 < lines ? view->SendScintilla(QsciScintilla::SCI_POSITIONFROMLINE, static_cast<unsigned long>(line) + 1)
                                                            : view->SendScintilla(QsciScintilla::SCI_GETLENGTH));
         styleLine(next > at ? view->bytes(at, next).chopped(1) : QByteArray(), line, state);
         at = next;

@@ -13,7 +13,7 @@ enum StatePin : std::size_t { Axis, Pos, Home, Cw, Ccw, Run, Fault, Input, Limit
 
 float realOf(PinValues& pins, std::int8_t pin)
 {
-    return static_cast<float>(pins.read(static_cast<std::size_t>(pin)).asDouble());
+    return static_cast<float>(pins.read(static_cast<std::uint8_t>(pin)).asDouble());
 }
 
 template <class T>
@@ -24,7 +24,7 @@ T integerOf(PinValues& pins, std::int8_t pin)
 
 void writeInteger(PinValues& pins, std::int8_t pin, std::uint32_t value)
 {
-    const auto index = static_cast<std::size_t>(pin);
+    const std::size_t index = static_cast<std::uint8_t>(pin);
     pins.write(index, Value::ofInteger(pins.block().pins[index].type, value));
 }
 
