@@ -42,7 +42,7 @@ void ProjectTreeDelegate::paint(QPainter* painter, const QStyleOptionViewItem& o
     }
     QRect area = option.rect.adjusted(2, 0, -8, 0);
     const Role ink = selected ? Role::Accent : empty ? Role::Dim : Role::Text;
-    paintIcon(*painter, QRectF(area.left(), area.center().y() - IconSize / 2 + 1, IconSize, IconSize),
+    paintIcon(*painter, QRectF(area.left(), area.center().y() - IconSize / 2.0 + 1, IconSize, IconSize),
         index.data(ProjectTreeModel::IconRole).toString(), selected ? Role::Accent : Role::Dim);
     area.setLeft(area.left() + IconSize + IconGap);
 
