@@ -24,7 +24,7 @@ inline std::string generateIl(unsigned networks)
 {
     Sequence random;
     const auto bit = [&] { return "%M" + std::to_string(random.next(1000)) + "." + std::to_string(random.next(8)); };
-    const auto coil = [](unsigned n) { return "%M" + std::to_string(500 + n / 8) + "." + std::to_string(n % 8); };
+    const auto coil = [](unsigned n) { return "%M" + std::to_string(500 + n / 8 % 1500) + "." + std::to_string(n % 8); };
     const auto word = [&](const char* letter) { return std::string("%V") + letter + std::to_string(4 * random.next(1000)); };
     std::string out;
     for (unsigned n = 0; n < networks; ++n) {

@@ -111,8 +111,15 @@ struct Frame {
 
     /// An instruction failed: counted, its place kept if it is the first, the family's flag set.
     void fault(std::uint32_t instruction);
-    /// Counts the instructions up to and including `instruction`; false when the budget is used up.
-    bool count(std::uint32_t instruction);
+    /// Counts the instructions up to and including `instruction`.
+    void count(std::uint32_t instruction)
+    {
+        operations += instruction + 1 - segment;
+        segment = instruction + 1;
+    }
+    /// The same; false when the budget is used up. Asked where a routine is called or left and where a jump goes back: what
+    /// lies between two such places is at most one pass of a routine.
+    bool countAndCheck(std::uint32_t instruction);
 };
 
 } // namespace camwright

@@ -196,9 +196,12 @@ const Step* guard(Frame& frame, const Step* step)
         return step + 1;
     }
     frame.fault(guard.instruction);
-    const bool mayGoOn = frame.count(guard.instruction);
+    if (guard.elseInstruction > guard.instruction)
+        frame.count(guard.instruction);
+    else if (!frame.countAndCheck(guard.instruction))
+        return nullptr;
     frame.segment = guard.elseInstruction;
-    return mayGoOn ? frame.code->steps.data() + guard.elseStep : nullptr;
+    return frame.code->steps.data() + guard.elseStep;
 }
 
 const Step* locateElement(Frame& frame, const Step* step)

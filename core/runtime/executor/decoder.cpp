@@ -39,10 +39,20 @@ void decodeElements(const IrProgram& program, const Memory& memory, Bytecode& ou
 
 } // namespace
 
-Bytecode decode(const ControllerImage& image, const Memory& memory)
+Bytecode decodeTables(const ControllerImage& image, const Memory& memory)
 {
     Bytecode out;
     decodeElements(image.program, memory, out);
+    if (const auto& flag = image.layout.instructionErrorFlag) {
+        out.hasErrorFlag = true;
+        out.errorFlag = memory.offsetOf(flag->area, flag->byte);
+        out.errorFlagMask = static_cast<std::uint8_t>(1u << flag->bit);
+    }
+    return out;
+}
+
+void decodeSteps(const ControllerImage& image, const Memory& memory, Bytecode& out)
+{
     const ConstantPool constants = constantsOf(image.program, memory.scratchOffset());
     SlotAllocator slots(constants.end());
     for (const IrRoutine& routine : image.program.routines) {
@@ -52,12 +62,6 @@ Bytecode decode(const ControllerImage& image, const Memory& memory)
     out.constants = constants.bits();
     out.constantsOffset = memory.scratchOffset();
     out.scratchBytes = slots.end() - memory.scratchOffset();
-    if (const auto& flag = image.layout.instructionErrorFlag) {
-        out.hasErrorFlag = true;
-        out.errorFlag = memory.offsetOf(flag->area, flag->byte);
-        out.errorFlagMask = static_cast<std::uint8_t>(1u << flag->bit);
-    }
-    return out;
 }
 
 } // namespace camwright

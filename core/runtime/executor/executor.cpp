@@ -18,20 +18,28 @@ void placeConstants(Memory& memory, const Bytecode& code)
 
 } // namespace
 
-Result<ScanExecutor> ScanExecutor::load(std::shared_ptr<const ControllerImage> image)
+Result<ScanExecutor> ScanExecutor::load(std::shared_ptr<const ControllerImage> image, Translate translate)
 {
     if (const Result<void> safe = verify(*image); !safe)
         return safe.error();
     Memory memory(image->layout, image->program.stateBytes);
-    auto code = std::make_unique<const Bytecode>(decode(*image, memory));
-    memory.reserveScratch(code->scratchBytes);
-    placeConstants(memory, *code);
+    auto code = std::make_unique<Bytecode>(decodeTables(*image, memory));
+    std::unique_ptr<const TranslatedProgram> translated = translate ? translate(*image, memory, *code) : nullptr;
+    if (translated) {
+        memory.reserveScratch(translated->scratchBytes());
+        translated->placeConstants(memory);
+    } else {
+        decodeSteps(*image, memory, *code);
+        memory.reserveScratch(code->scratchBytes);
+        placeConstants(memory, *code);
+    }
     memory.powerOn(image->layout);
-    return ScanExecutor(std::move(image), std::move(code), std::move(memory));
+    return ScanExecutor(std::move(image), std::move(code), std::move(translated), std::move(memory));
 }
 
-ScanExecutor::ScanExecutor(std::shared_ptr<const ControllerImage> image, std::unique_ptr<const Bytecode> code, Memory memory)
-    : m_image(std::move(image)), m_code(std::move(code)), m_memory(std::move(memory))
+ScanExecutor::ScanExecutor(std::shared_ptr<const ControllerImage> image, std::unique_ptr<const Bytecode> code,
+                           std::unique_ptr<const TranslatedProgram> translated, Memory memory)
+    : m_image(std::move(image)), m_code(std::move(code)), m_translated(std::move(translated)), m_memory(std::move(memory))
 {
     const auto& routines = m_image->program.routines;
     const auto main = std::ranges::find(routines, RoutineKind::Main, &IrRoutine::kind);
@@ -64,9 +72,13 @@ ScanReport ScanExecutor::run(std::uint32_t routine, const ScanInput& input)
     frame.routine = routine;
     if (m_code->hasErrorFlag)
         storeBit(frame, m_code->errorFlag, m_code->errorFlagMask, false);
-    const Step* step = m_code->steps.data() + m_code->entries[routine];
-    while (step)
-        step = step->run(frame, step);
+    if (m_translated) {
+        m_translated->run(routine, frame);
+    } else {
+        const Step* step = m_code->steps.data() + m_code->entries[routine];
+        while (step)
+            step = step->run(frame, step);
+    }
     return {frame.outOfOperations ? ScanEnd::OutOfOperations : ScanEnd::Completed, frame.operations, frame.faults,
             frame.stopRoutine, frame.stopInstruction};
 }

@@ -4,6 +4,7 @@
 #include "core/base/time.h"
 #include "core/language/image/controllerimage.h"
 #include "core/runtime/executor/blockhost.h"
+#include "core/runtime/executor/translation.h"
 #include "core/runtime/memory/memory.h"
 
 #include <cstdint>
@@ -11,8 +12,6 @@
 #include <span>
 
 namespace camwright {
-
-class Bytecode;
 
 enum class ScanEnd : std::uint8_t { Completed, OutOfOperations };
 
@@ -31,18 +30,21 @@ struct ScanReport {
     std::uint32_t instruction = 0;
 };
 
-/// Runs the program of an image: the reference interpreter. Owns the memory it runs on. Deterministic: the same image,
-/// memory and inputs give the same bytes. (The name leaves `Executor` to core/online.)
+/// Runs the program of an image, by the reference interpreter or a translation of it. Owns the memory it runs on.
+/// Deterministic: the same image, memory and inputs give the same bytes and reports, whichever runs. (The name leaves
+/// `Executor` to core/online.)
 class ScanExecutor {
 public:
-    /// Verifies the image, decodes it, and makes the memory as after power-on.
-    static Result<ScanExecutor> load(std::shared_ptr<const ControllerImage> image);
+    /// Verifies the image, makes it runnable, and makes the memory as after power-on. With a translation its program runs
+    /// instead of the interpreter; where there is none, or it cannot, the interpreter.
+    static Result<ScanExecutor> load(std::shared_ptr<const ControllerImage> image, Translate translate = nullptr);
 
     ScanExecutor(ScanExecutor&&) noexcept;
     ScanExecutor& operator=(ScanExecutor&&) noexcept;
     ~ScanExecutor();
 
     const ControllerImage& image() const { return *m_image; }
+    bool isTranslated() const { return m_translated != nullptr; }
     Memory& memory() { return m_memory; }
     const Memory& memory() const { return m_memory; }
 
@@ -56,10 +58,12 @@ public:
     bool restore(ByteReader& reader) { return m_memory.restore(reader); }
 
 private:
-    ScanExecutor(std::shared_ptr<const ControllerImage> image, std::unique_ptr<const Bytecode> code, Memory memory);
+    ScanExecutor(std::shared_ptr<const ControllerImage> image, std::unique_ptr<const Bytecode> code,
+                 std::unique_ptr<const TranslatedProgram> translated, Memory memory);
 
     std::shared_ptr<const ControllerImage> m_image;
-    std::unique_ptr<const Bytecode> m_code;
+    std::unique_ptr<const Bytecode> m_code;                    ///< without steps where a translation runs
+    std::unique_ptr<const TranslatedProgram> m_translated;     ///< null: the interpreter runs
     Memory m_memory;
     std::uint32_t m_main = 0;
 };

@@ -37,9 +37,12 @@ inline bool evaluate(const Frame& frame, std::uint32_t first)
 
 const Step* jumpTo(Frame& frame, const Step* step)
 {
-    const bool mayGoOn = frame.count(step->b);
+    if (step->extra > step->b)
+        frame.count(step->b);
+    else if (!frame.countAndCheck(step->b))
+        return nullptr;
     frame.segment = step->extra;
-    return mayGoOn ? frame.code->steps.data() + step->dest : nullptr;
+    return frame.code->steps.data() + step->dest;
 }
 
 } // namespace
@@ -124,7 +127,7 @@ const Step* callRoutine(Frame& frame, const Step* step)
 
 const Step* enterRoutine(Frame& frame, const Step* step, std::uint32_t instance)
 {
-    if (!frame.count(step->b))
+    if (!frame.countAndCheck(step->b))
         return nullptr;
     frame.returns[frame.depth++] = {step + 1, step->b + 1, frame.routine, frame.instance};
     frame.segment = 0;
@@ -135,7 +138,7 @@ const Step* enterRoutine(Frame& frame, const Step* step, std::uint32_t instance)
 
 const Step* returnFromRoutine(Frame& frame, const Step* step)
 {
-    if (!frame.count(step->b) || frame.depth == 0)
+    if (!frame.countAndCheck(step->b) || frame.depth == 0)
         return nullptr;
     const Frame::Return& back = frame.returns[--frame.depth];
     frame.segment = back.segment;
@@ -173,10 +176,9 @@ const Step* fallingEdge(Frame& frame, const Step* step)
     return step + 1;
 }
 
-bool Frame::count(std::uint32_t instruction)
+bool Frame::countAndCheck(std::uint32_t instruction)
 {
-    operations += instruction + 1 - segment;
-    segment = instruction + 1;
+    count(instruction);
     if (operations <= budget)
         return true;
     outOfOperations = true;

@@ -111,6 +111,8 @@ void RoutineDecoder::decode(const IrInstruction& i)
     }
     if (decodePlace(i))
         return;
+    if (!isPure(i.op) && m_out.hasErrorFlag)
+        flush(); // a failure writes the flag, which pending operands may read
     const bool isContactLogic = i.op == IrOp::Not || i.op == IrOp::And || i.op == IrOp::Or;
     if (isContactLogic && i.type == DataType::Bool)
         decodeBool(i);
