@@ -67,6 +67,12 @@ std::optional<std::string> differenceOf(std::uint64_t seed, std::set<IrOp>& seen
     return std::nullopt;
 }
 
+/// Operations on computed places, which stay with the interpreter.
+bool isOfBlocks(IrOp op)
+{
+    return op == IrOp::CallOn || op == IrOp::CallAt || op == IrOp::Select || op >= IrOp::Place;
+}
+
 class NativeTest : public testing::Test {
 protected:
     void SetUp() override
@@ -89,7 +95,7 @@ TEST_F(NativeTest, generatedProgramsDoTheSameInBothExecutorsToTheLastByte)
     EXPECT_GT(ended, 50u) << "scans that their budget ended";
     for (unsigned op = 0; op < 256; ++op) {
         const auto operation = static_cast<IrOp>(op);
-        EXPECT_TRUE(!shapeOf(operation).known || operation == IrOp::Nop || seen.contains(operation)) << name(operation) << " is never generated";
+        EXPECT_TRUE(!shapeOf(operation).known || operation == IrOp::Nop || isOfBlocks(operation) || seen.contains(operation)) << name(operation) << " is never generated";
     }
 }
 
