@@ -2031,6 +2031,41 @@
     </message>
 </context>
 <context>
+    <name>KeyMaps</name>
+    <message>
+        <source>Camwright</source>
+        <translation>Camwright</translation>
+    </message>
+    <message>
+        <source>F11 builds, Alt+F8 goes online, Shift+F8 stops.</source>
+        <translation>F11 — сборка, Alt+F8 — подключение, Shift+F8 — стоп.</translation>
+    </message>
+    <message>
+        <source>F11 goes online, Ctrl+Shift+B builds, F8 goes to the next problem.</source>
+        <translation>F11 — подключение, Ctrl+Shift+B — сборка, F8 — следующая проблема.</translation>
+    </message>
+    <message>
+        <source>F4 builds, F3 goes online; F5 to F10 start nothing.</source>
+        <translation>F4 — сборка, F3 — подключение; F5–F10 ничего не запускают.</translation>
+    </message>
+    <message>
+        <source>Like CODESYS</source>
+        <translation>Как в CODESYS</translation>
+    </message>
+    <message>
+        <source>Like GX Works</source>
+        <translation>Как в GX Works</translation>
+    </message>
+    <message>
+        <source>Like TwinCAT</source>
+        <translation>Как в TwinCAT</translation>
+    </message>
+    <message>
+        <source>The keys of the manual.</source>
+        <translation>Клавиши из руководства.</translation>
+    </message>
+</context>
+<context>
     <name>Program</name>
     <message>
         <source>The texts of this language are not installed.</source>
@@ -2686,10 +2721,6 @@
         </translation>
     </message>
     <message>
-        <source>Gives every forced value back to the program (Alt+F7).</source>
-        <translation>Возвращает программе все форсированные значения (Alt+F7).</translation>
-    </message>
-    <message>
         <source>REAL MACHINE · %1 · %2</source>
         <translation>НАСТОЯЩАЯ МАШИНА · %1 · %2</translation>
     </message>
@@ -3018,12 +3049,12 @@
         <translation>Найти</translation>
     </message>
     <message>
-        <source>Next hit (F3 or Enter)</source>
-        <translation>Следующее совпадение (F3 или Enter)</translation>
+        <source>Next hit (Enter)</source>
+        <translation>Следующее совпадение (Enter)</translation>
     </message>
     <message>
-        <source>Previous hit (Shift+F3)</source>
-        <translation>Предыдущее совпадение (Shift+F3)</translation>
+        <source>Previous hit</source>
+        <translation>Предыдущее совпадение</translation>
     </message>
     <message>
         <source>Regular expression; \1 in the replacement stands for the first group</source>
@@ -3154,6 +3185,96 @@
     <message>
         <source>hold to run, release to stop</source>
         <translation>удерживать — ход, отпустить — стоп</translation>
+    </message>
+</context>
+<context>
+    <name>camwright::KeyTableModel</name>
+    <message>
+        <source>Action</source>
+        <translation>Действие</translation>
+    </message>
+    <message>
+        <source>Keys</source>
+        <translation>Клавиши</translation>
+    </message>
+    <message>
+        <source>yours</source>
+        <translation>изменено</translation>
+    </message>
+</context>
+<context>
+    <name>camwright::KeysPage</name>
+    <message>
+        <source>%1 alone is for typing. Hold Ctrl or Alt with it, or choose a function key.</source>
+        <translation>%1 без Ctrl или Alt нужна для ввода текста. Нажмите её с Ctrl или Alt или выберите функциональную клавишу.</translation>
+    </message>
+    <message>
+        <source>%1 is the key of &quot;%2&quot;.</source>
+        <translation>%1 — клавиша действия «%2».</translation>
+    </message>
+    <message>
+        <source>Actions and their keys</source>
+        <translation>Действия и их клавиши</translation>
+    </message>
+    <message>
+        <source>Back to the keys of the map.</source>
+        <translation>Вернуть клавиши раскладки.</translation>
+    </message>
+    <message>
+        <source>Every action back to the keys of the map.</source>
+        <translation>Вернуть всем действиям клавиши раскладки.</translation>
+    </message>
+    <message>
+        <source>Find an action or a key</source>
+        <translation>Найти действие или клавишу</translation>
+    </message>
+    <message>
+        <source>Key</source>
+        <translation>Клавиша</translation>
+    </message>
+    <message>
+        <source>Key map</source>
+        <translation>Раскладка клавиш</translation>
+    </message>
+    <message>
+        <source>Keys you know from another tool. Each map remembers what you change in it.</source>
+        <translation>Клавиши, знакомые по другой программе. Каждая раскладка помнит ваши изменения.</translation>
+    </message>
+    <message>
+        <source>Press the key here. A function key, or one with Ctrl or Alt; Escape gives up.</source>
+        <translation>Нажмите клавишу здесь: функциональную или с Ctrl либо Alt; Esc — отказ.</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Убрать</translation>
+    </message>
+    <message>
+        <source>Reset</source>
+        <translation>Сбросить</translation>
+    </message>
+    <message>
+        <source>Reset All</source>
+        <translation>Сбросить все</translation>
+    </message>
+    <message>
+        <source>Second key</source>
+        <translation>Вторая клавиша</translation>
+    </message>
+    <message>
+        <source>Shows the actions whose name or key has these letters.</source>
+        <translation>Показывает действия, в имени или клавише которых есть эти буквы.</translation>
+    </message>
+    <message>
+        <source>Take the Key</source>
+        <translation>Забрать клавишу</translation>
+    </message>
+    <message>
+        <source>The action has no key then.</source>
+        <translation>Действие останется без клавиши.</translation>
+    </message>
+    <message>
+        <source>The other action loses it.</source>
+        <translation>Другое действие её лишится.</translation>
     </message>
 </context>
 <context>
@@ -4384,6 +4505,14 @@
         <translation>Как на рабочем столе.</translation>
     </message>
     <message>
+        <source>General</source>
+        <translation>Общие</translation>
+    </message>
+    <message>
+        <source>Keys</source>
+        <translation>Клавиши</translation>
+    </message>
+    <message>
         <source>Language</source>
         <translation>Язык</translation>
     </message>
@@ -4394,6 +4523,10 @@
     <message>
         <source>Of the window, the messages and the help of instructions. Switches at once.</source>
         <translation>Язык окна, сообщений и справки по инструкциям. Переключается сразу.</translation>
+    </message>
+    <message>
+        <source>Pages of the settings</source>
+        <translation>Страницы настроек</translation>
     </message>
     <message>
         <source>Settings</source>

@@ -2029,6 +2029,41 @@
     </message>
 </context>
 <context>
+    <name>KeyMaps</name>
+    <message>
+        <source>Camwright</source>
+        <translation>Camwright</translation>
+    </message>
+    <message>
+        <source>F11 builds, Alt+F8 goes online, Shift+F8 stops.</source>
+        <translation>F11 编译，Alt+F8 联机，Shift+F8 停止。</translation>
+    </message>
+    <message>
+        <source>F11 goes online, Ctrl+Shift+B builds, F8 goes to the next problem.</source>
+        <translation>F11 联机，Ctrl+Shift+B 编译，F8 转到下一个问题。</translation>
+    </message>
+    <message>
+        <source>F4 builds, F3 goes online; F5 to F10 start nothing.</source>
+        <translation>F4 编译，F3 联机；F5 至 F10 不启动任何操作。</translation>
+    </message>
+    <message>
+        <source>Like CODESYS</source>
+        <translation>类似 CODESYS</translation>
+    </message>
+    <message>
+        <source>Like GX Works</source>
+        <translation>类似 GX Works</translation>
+    </message>
+    <message>
+        <source>Like TwinCAT</source>
+        <translation>类似 TwinCAT</translation>
+    </message>
+    <message>
+        <source>The keys of the manual.</source>
+        <translation>手册中的按键。</translation>
+    </message>
+</context>
+<context>
     <name>Program</name>
     <message>
         <source>The texts of this language are not installed.</source>
@@ -2682,10 +2717,6 @@
         </translation>
     </message>
     <message>
-        <source>Gives every forced value back to the program (Alt+F7).</source>
-        <translation>将所有强制值交还给程序 (Alt+F7)。</translation>
-    </message>
-    <message>
         <source>REAL MACHINE · %1 · %2</source>
         <translation>真实机器 · %1 · %2</translation>
     </message>
@@ -3012,12 +3043,12 @@
         <translation>查找</translation>
     </message>
     <message>
-        <source>Next hit (F3 or Enter)</source>
-        <translation>下一处匹配（F3 或 Enter）</translation>
+        <source>Next hit (Enter)</source>
+        <translation>下一个匹配（Enter）</translation>
     </message>
     <message>
-        <source>Previous hit (Shift+F3)</source>
-        <translation>上一处匹配 (Shift+F3)</translation>
+        <source>Previous hit</source>
+        <translation>上一个匹配</translation>
     </message>
     <message>
         <source>Regular expression; \1 in the replacement stands for the first group</source>
@@ -3148,6 +3179,96 @@
     <message>
         <source>hold to run, release to stop</source>
         <translation>按住运行，松开停止</translation>
+    </message>
+</context>
+<context>
+    <name>camwright::KeyTableModel</name>
+    <message>
+        <source>Action</source>
+        <translation>操作</translation>
+    </message>
+    <message>
+        <source>Keys</source>
+        <translation>按键</translation>
+    </message>
+    <message>
+        <source>yours</source>
+        <translation>自定义</translation>
+    </message>
+</context>
+<context>
+    <name>camwright::KeysPage</name>
+    <message>
+        <source>%1 alone is for typing. Hold Ctrl or Alt with it, or choose a function key.</source>
+        <translation>单独的 %1 用于输入文字。请同时按住 Ctrl 或 Alt，或选用功能键。</translation>
+    </message>
+    <message>
+        <source>%1 is the key of &quot;%2&quot;.</source>
+        <translation>%1 已是“%2”的按键。</translation>
+    </message>
+    <message>
+        <source>Actions and their keys</source>
+        <translation>操作及其按键</translation>
+    </message>
+    <message>
+        <source>Back to the keys of the map.</source>
+        <translation>恢复为按键方案中的按键。</translation>
+    </message>
+    <message>
+        <source>Every action back to the keys of the map.</source>
+        <translation>所有操作恢复为按键方案中的按键。</translation>
+    </message>
+    <message>
+        <source>Find an action or a key</source>
+        <translation>查找操作或按键</translation>
+    </message>
+    <message>
+        <source>Key</source>
+        <translation>按键</translation>
+    </message>
+    <message>
+        <source>Key map</source>
+        <translation>按键方案</translation>
+    </message>
+    <message>
+        <source>Keys you know from another tool. Each map remembers what you change in it.</source>
+        <translation>您在其他软件中熟悉的按键。每个方案各自记住您的更改。</translation>
+    </message>
+    <message>
+        <source>Press the key here. A function key, or one with Ctrl or Alt; Escape gives up.</source>
+        <translation>在此按下按键：功能键，或与 Ctrl、Alt 的组合；按 Esc 放弃。</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>移除</translation>
+    </message>
+    <message>
+        <source>Reset</source>
+        <translation>重置</translation>
+    </message>
+    <message>
+        <source>Reset All</source>
+        <translation>全部重置</translation>
+    </message>
+    <message>
+        <source>Second key</source>
+        <translation>第二按键</translation>
+    </message>
+    <message>
+        <source>Shows the actions whose name or key has these letters.</source>
+        <translation>显示名称或按键包含这些字符的操作。</translation>
+    </message>
+    <message>
+        <source>Take the Key</source>
+        <translation>占用此按键</translation>
+    </message>
+    <message>
+        <source>The action has no key then.</source>
+        <translation>之后该操作没有按键。</translation>
+    </message>
+    <message>
+        <source>The other action loses it.</source>
+        <translation>另一个操作将失去它。</translation>
     </message>
 </context>
 <context>
@@ -4362,6 +4483,14 @@
         <translation>跟随桌面。</translation>
     </message>
     <message>
+        <source>General</source>
+        <translation>常规</translation>
+    </message>
+    <message>
+        <source>Keys</source>
+        <translation>按键</translation>
+    </message>
+    <message>
         <source>Language</source>
         <translation>语言</translation>
     </message>
@@ -4372,6 +4501,10 @@
     <message>
         <source>Of the window, the messages and the help of instructions. Switches at once.</source>
         <translation>窗口、消息和指令帮助的语言。立即切换。</translation>
+    </message>
+    <message>
+        <source>Pages of the settings</source>
+        <translation>设置页面</translation>
     </message>
     <message>
         <source>Settings</source>

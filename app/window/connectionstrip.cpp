@@ -1,6 +1,7 @@
 #include "app/window/connectionstrip.h"
 
 #include "core/family/family.h"
+#include "editors/shell/actions.h"
 #include "editors/shell/icons.h"
 #include "editors/shell/widgets.h"
 
@@ -42,7 +43,6 @@ ConnectionStrip::ConnectionStrip(Context& context, Connection& connection, QWidg
     m_armed = new QLabel(tr("A panel is armed"), this);
     m_release = new LinkLabel(tr("Release all"), this);
     m_release->setObjectName(QStringLiteral("releaseForces"));
-    m_release->setToolTip(tr("Gives every forced value back to the program (Alt+F7)."));
     for (QWidget* widget : {static_cast<QWidget*>(m_sign), static_cast<QWidget*>(m_words), static_cast<QWidget*>(m_forces),
              static_cast<QWidget*>(m_differs), static_cast<QWidget*>(m_showDifferences)})
         row->addWidget(widget);
@@ -89,6 +89,8 @@ void ConnectionStrip::refresh()
     m_forces->setVisible(status.forces > 0);
     m_forces->setContent(tr("F %n forced", nullptr, int(status.forces)), Role::Forced, Role::ForcedSoft);
     m_release->setVisible(status.forces > 0);
+    if (const QAction* release = m_context.actions().action(QStringLiteral("online.releaseForces")))
+        m_release->setToolTip(release->toolTip());
     const bool differs = state == LinkState::Online && !m_context.programMatches() && m_context.document().isOpen();
     m_differs->setVisible(differs);
     m_differs->setText(status.program == Hash{} ? tr("The controller has no program yet.") : tr("The controller runs another program: live values are off."));

@@ -6,15 +6,21 @@
 
 namespace camwright {
 
-/// Theme and language. Both take effect at once and are remembered.
+class ActionCatalogue;
+class KeyBook;
+
+/// Theme, language and keys. All take effect at once and are remembered.
 class SettingsDialog : public QDialog {
     Q_OBJECT
 public:
-    SettingsDialog(Settings& settings, QWidget* parent);
+    SettingsDialog(Settings& settings, KeyBook& keys, const ActionCatalogue& actions, QWidget* parent);
 
 signals:
     void themeChosen();
     void languageChosen(const QString& language);
+
+private:
+    QWidget* makeGeneralPage(Settings& settings);
 };
 
 } // namespace camwright

@@ -21,6 +21,11 @@ class SearchButton : public QToolButton {
 public:
     using QToolButton::QToolButton;
     QSize sizeHint() const override { return {210, 28}; }
+    void setKey(const QString& key)
+    {
+        m_key = key;
+        update();
+    }
 
 protected:
     void paintEvent(QPaintEvent*) override
@@ -35,8 +40,11 @@ protected:
         painter.setFont(theme().font());
         painter.drawText(rect().adjusted(33, 0, -50, 0), Qt::AlignVCenter | Qt::AlignLeft, text());
         painter.setFont(theme().smallFont());
-        painter.drawText(rect().adjusted(0, 0, -9, 0), Qt::AlignVCenter | Qt::AlignRight, QStringLiteral("Ctrl+P"));
+        painter.drawText(rect().adjusted(0, 0, -9, 0), Qt::AlignVCenter | Qt::AlignRight, m_key);
     }
+
+private:
+    QString m_key;
 };
 
 } // namespace
@@ -81,8 +89,15 @@ ToolRow::ToolRow(Context& context, Connection& connection, Settings& settings, Q
     for (const char* id : {"online.download", "online.run", "online.stop"})
         addButton(row, QString::fromLatin1(id), true);
     row->addStretch();
-    m_search = new SearchButton(this);
-    describe(m_search, "searchButton", tr("Find anything"), context.actions().action(QStringLiteral("go.anything"))->toolTip());
+    auto* search = new SearchButton(this);
+    m_search = search;
+    describe(m_search, "searchButton", tr("Find anything"));
+    const auto showKey = [search, find = context.actions().action(QStringLiteral("go.anything"))] {
+        search->setKey(find->shortcut().toString(QKeySequence::NativeText));
+        search->setToolTip(find->toolTip());
+    };
+    showKey();
+    connect(&context.actions(), &ActionCatalogue::keysChanged, search, showKey);
     m_search->setText(tr("Find anything"));
     row->addWidget(m_search);
     connect(m_search, &QToolButton::clicked, context.actions().action(QStringLiteral("go.anything")), &QAction::trigger);

@@ -60,8 +60,13 @@ void MainWindow::buildMenus()
     m_presets->setFixedHeight(26);
     for (const QString& preset : {tr("Configure"), tr("Program"), tr("Commission"), tr("Analyse")})
         m_presets->addTab(preset);
-    for (int i = 0; i < m_presets->count(); ++i)
-        m_presets->setTabToolTip(i, QStringLiteral("Ctrl+%1").arg(i + 1));
+    const auto keyTips = [this, &actions] {
+        const char* presets[] = {"view.configure", "view.program", "view.commission", "view.analyse"};
+        for (int i = 0; i < m_presets->count(); ++i)
+            m_presets->setTabToolTip(i, actions.action(QString::fromLatin1(presets[i]))->toolTip());
+    };
+    keyTips();
+    connect(&actions, &ActionCatalogue::keysChanged, m_presets, keyTips);
     menuBar()->setCornerWidget(m_presets, Qt::TopRightCorner);
     connect(m_presets, &QTabBar::tabBarClicked, this, [this](int index) {
         if (index >= 0)
@@ -127,7 +132,7 @@ void MainWindow::connectActions()
     on("help.docs", [this] { showDocs({}); });
     on("help.about", [this] { about(); });
     on("file.settings", [this] {
-        SettingsDialog dialog(m_workspace.settings, this);
+        SettingsDialog dialog(m_workspace.settings, m_workspace.keys, m_workspace.actions, frontWindow());
         connect(&dialog, &SettingsDialog::themeChosen, this, [this] {
             theme().setKind(m_workspace.settings.themeKind());
             refreshActions();

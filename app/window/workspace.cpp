@@ -6,7 +6,8 @@
 namespace camwright {
 
 Workspace::Workspace(Services wanted, Registrar registrar)
-    : context(document, actions, registry, pool)
+    : keys(settings, actions)
+    , context(document, actions, registry, pool)
     , services(std::move(wanted))
     , checks(document, pool, services.check)
     , connection(context, services)
@@ -16,6 +17,7 @@ Workspace::Workspace(Services wanted, Registrar registrar)
     pool.setMaxThreadCount(std::max(2, QThread::idealThreadCount() - 1));
     addWindowActions(actions);
     m_registrar(registry, actions);
+    keys.apply();
 }
 
 Workspace::~Workspace()

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/window/connection.h"
+#include "app/window/keybook.h"
 #include "app/window/services.h"
 #include "app/window/settings.h"
 #include "app/window/workbench.h"
@@ -28,6 +29,7 @@ public:
     Settings settings;
     ProjectDocument document;
     ActionCatalogue actions;
+    KeyBook keys;
     Registry registry;
     Context context;
     Services services;

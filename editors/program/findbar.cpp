@@ -48,8 +48,8 @@ FindBar::FindBar(QWidget* parent)
 {
     setObjectName(QStringLiteral("findBar"));
     m_count->setObjectName(QStringLiteral("findCount"));
-    auto* previous = button(QStringLiteral("arrow-up"), QStringLiteral("findPrevious"), tr("Previous hit (Shift+F3)"));
-    auto* next = button(QStringLiteral("arrow-down"), QStringLiteral("findNext"), tr("Next hit (F3 or Enter)"));
+    auto* previous = button(QStringLiteral("arrow-up"), QStringLiteral("findPrevious"), tr("Previous hit"));
+    auto* next = button(QStringLiteral("arrow-down"), QStringLiteral("findNext"), tr("Next hit (Enter)"));
     auto* close = button(QStringLiteral("close"), QStringLiteral("findClose"), tr("Close (Esc)"));
 
     auto* findRow = newRow();

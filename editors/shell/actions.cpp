@@ -50,9 +50,19 @@ QAction* ActionCatalogue::action(const QString& id) const
     return it == m_actions.end() ? nullptr : it->second;
 }
 
+QString ActionCatalogue::plainName(const ActionRow& row)
+{
+    return words::plainName(translated(row.text));
+}
+
+QString ActionCatalogue::sentence(const ActionRow& row)
+{
+    return translated(row.toolTip);
+}
+
 QString ActionCatalogue::toolTip(const ActionRow& row) const
 {
-    QString name = words::plainName(translated(row.text));
+    QString name = plainName(row);
     if (const auto own = keys(QString::fromLatin1(row.id)); !own.isEmpty())
         name += QStringLiteral(" (%1)").arg(own.first().toString(QKeySequence::NativeText));
     QString out = QStringLiteral("<b>%1</b><br>%2").arg(name.toHtmlEscaped(), translated(row.toolTip).toHtmlEscaped());

@@ -58,6 +58,8 @@ public:
     QAction* action(const QString& id) const;
     const std::vector<ActionRow>& rows() const { return m_rows; }
     QString toolTip(const ActionRow& row) const;    ///< name, key and one sentence
+    static QString plainName(const ActionRow& row);
+    static QString sentence(const ActionRow& row);  ///< what it does
     /// Which states hold now; enables and disables. `reasonFor` fills the tool tip of what is off.
     void setState(Availability holding, const std::function<bool(const QString& id)>& editorCan);
     void retranslate();

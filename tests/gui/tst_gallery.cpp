@@ -219,9 +219,12 @@ private:
         create.show();
         look(create, "dialog-new");
         create.close();
-        SettingsDialog settings(workspace.settings, &window);
+        SettingsDialog settings(workspace.settings, workspace.keys, workspace.actions, &window);
         settings.show();
         look(settings, "dialog-settings");
+        settings.findChild<QTabWidget*>("settingsPages")->setCurrentIndex(1);
+        QTest::keyClick(settings.findChild<QWidget*>("firstKey"), Qt::Key_P, Qt::ControlModifier);
+        look(settings, "dialog-settings-keys");
         settings.close();
         auto* download = new DownloadDialog(workspace.context, DownloadPackage{Bytes(10), FakeLink::hash}, &window);
         download->show();
