@@ -1,6 +1,6 @@
 #include "app/cli/csv.h"
 
-#include "app/cli/quantities.h"
+#include "core/online/sampletext.h"
 
 #include <QFile>
 #include <QSaveFile>
@@ -11,7 +11,7 @@ CsvTable::CsvTable(const std::vector<std::string>& names)
     : m_bytes("time_s")
 {
     for (const std::string& name : names)
-        m_bytes += ',' + QByteArray::fromStdString(name);
+        m_bytes += ',' + QByteArray::fromStdString(csvCell(name));
     m_bytes += '\n';
 }
 
@@ -23,10 +23,10 @@ void CsvTable::append(const SampleBlock& block)
         m_bytes += "# " + QByteArray::number(qulonglong(block.lostRows)) + " samples lost here\n";
     const std::size_t rows = block.columns.empty() ? 0 : block.columns.front().size();
     for (std::size_t row = 0; row < rows; ++row) {
-        m_bytes += formatSeconds(static_cast<std::int64_t>(block.firstCycle + row * block.stride) * block.cycleNs);
+        m_bytes += QByteArray::fromStdString(secondsText(static_cast<std::int64_t>(block.firstCycle + row * block.stride) * block.cycleNs));
         for (std::size_t column = 0; column < block.columns.size(); ++column) {
             const DataType type = column < m_channels.size() ? m_channels[column].type : DataType::Lreal;
-            m_bytes += ',' + formatSample(type, block.columns[column][row]);
+            m_bytes += ',' + QByteArray::fromStdString(sampleText(type, block.columns[column][row]));
         }
         m_bytes += '\n';
     }

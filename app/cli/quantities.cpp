@@ -1,6 +1,5 @@
 #include "app/cli/quantities.h"
 
-#include <charconv>
 #include <cmath>
 
 namespace camwright::cli {
@@ -23,46 +22,6 @@ std::optional<Time> parseTime(const QString& typed)
     if (!ok || !(value >= 0) || value > 9e18)
         return std::nullopt;
     return Time(static_cast<std::int64_t>(std::llround(value)));
-}
-
-QByteArray formatSeconds(std::int64_t nanoseconds)
-{
-    QByteArray out = QByteArray::number(nanoseconds / 1'000'000'000);
-    QByteArray fraction = QByteArray::number(nanoseconds % 1'000'000'000).rightJustified(9, '0');
-    while (fraction.endsWith('0'))
-        fraction.chop(1);
-    return fraction.isEmpty() ? out : out + '.' + fraction;
-}
-
-QByteArray formatSample(DataType type, double value)
-{
-    char buffer[64];
-    const auto end = buffer + sizeof buffer;
-    if (type == DataType::Real)
-        return {buffer, std::to_chars(buffer, end, static_cast<float>(value)).ptr - buffer};
-    if (type == DataType::Lreal)
-        return {buffer, std::to_chars(buffer, end, value).ptr - buffer};
-    return QByteArray::number(static_cast<qint64>(value));
-}
-
-QStringList splitNames(const QString& list)
-{
-    QStringList out;
-    QString name;
-    bool quoted = false;
-    for (const QChar c : list) {
-        if (c == QLatin1Char('"'))
-            quoted = !quoted;
-        if (c == QLatin1Char(',') && !quoted) {
-            out << name.trimmed();
-            name.clear();
-        } else {
-            name += c;
-        }
-    }
-    out << name.trimmed();
-    out.removeAll(QString());
-    return out;
 }
 
 } // namespace camwright::cli

@@ -3,6 +3,7 @@
 #include "app/cli/projects.h"
 #include "app/cli/quantities.h"
 #include "app/cli/verbs.h"
+#include "core/online/valuename.h"
 #include "core/runtime/engine.h"
 #include "editors/words/words.h"
 
@@ -64,8 +65,8 @@ std::optional<QString> readPlan(Invocation& call, Plan& plan)
         plan.writes.push_back(*write);
     }
     for (const QString& list : call.options.values(QStringLiteral("trace"))) {
-        for (const QString& name : splitNames(list))
-            plan.trace.channels.push_back(name.toStdString());
+        for (std::string& name : splitValueNames(list.toStdString()))
+            plan.trace.channels.push_back(std::move(name));
     }
     plan.trace.stride = static_cast<std::uint32_t>(plan.every / kMotionCycle);
     return std::nullopt;

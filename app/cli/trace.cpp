@@ -4,6 +4,7 @@
 #include "app/cli/projects.h"
 #include "app/cli/quantities.h"
 #include "app/cli/verbs.h"
+#include "core/online/valuename.h"
 
 namespace camwright::cli {
 
@@ -47,8 +48,8 @@ std::optional<QString> readTrigger(Invocation& call, TraceSetup& setup)
 std::optional<QString> readRecording(Invocation& call, Recording& out)
 {
     for (const QString& word : call.words) {
-        for (const QString& name : splitNames(word))
-            out.setup.channels.push_back(name.toStdString());
+        for (std::string& name : splitValueNames(word.toStdString()))
+            out.setup.channels.push_back(std::move(name));
     }
     const auto every = parseTime(call.value("every"));
     const auto span = parseTime(call.value("for"));

@@ -1,5 +1,7 @@
 #include "editors/watch/variablelookup.h"
 
+#include "core/online/valuename.h"
+
 #include <QCoreApplication>
 
 namespace camwright {
@@ -17,13 +19,6 @@ void forEachVariable(const Project& project, Visit visit)
                 visit(variable);
         }
     }
-}
-
-/// Names with blanks or dots are quoted (CONTRACTS 18).
-QString quoted(const std::string& name)
-{
-    const QString text = QString::fromStdString(name);
-    return text.contains(QLatin1Char(' ')) || text.contains(QLatin1Char('.')) ? QLatin1Char('"') + text + QLatin1Char('"') : text;
 }
 
 } // namespace
@@ -50,7 +45,9 @@ QString commentOf(const Project& project, const std::string& expression)
         return QCoreApplication::translate("Watch", "Torque in per cent of rated");
     if (ends(".state"))
         return QCoreApplication::translate("Watch", "Number of the axis state");
-    return QCoreApplication::translate("Watch", "Error code of the axis, 0 for none");
+    if (ends(".error"))
+        return QCoreApplication::translate("Watch", "Error code of the axis, 0 for none");
+    return {};
 }
 
 QStringList watchableNames(const Project& project)
@@ -64,7 +61,7 @@ QStringList watchableNames(const Project& project)
     });
     for (const ObjectPtr& axis : project.objects(ObjectKind::Axis)) {
         for (const char* value : AxisValues)
-            out << QStringLiteral("axis.%1.%2").arg(quoted(axis->key.name), QLatin1String(value));
+            out << QString::fromStdString(axisValueName(axis->key.name, value));
     }
     out.removeDuplicates();
     return out;
