@@ -52,6 +52,8 @@ VariablesEditor::VariablesEditor(Context& context, ObjectKey key, QWidget* paren
     connect(m_table, &QWidget::customContextMenuRequested, this, [this](const QPoint& point) { showMenu(m_table->viewport()->mapToGlobal(point)); });
     connect(m_table->selectionModel(), &QItemSelectionModel::selectionChanged, this, &Editor::abilitiesChanged);
     connect(m_table->selectionModel(), &QItemSelectionModel::currentChanged, this, &Editor::positionChanged);
+    connect(m_model, &QAbstractItemModel::rowsInserted, this, &Editor::positionChanged);
+    connect(m_model, &QAbstractItemModel::rowsRemoved, this, &Editor::positionChanged);
 
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(16, 12, 16, 12);

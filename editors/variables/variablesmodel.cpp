@@ -6,6 +6,7 @@
 #include "editors/words/words.h"
 
 #include <charconv>
+#include <set>
 
 namespace camwright {
 
@@ -18,6 +19,13 @@ Field<DataType> typeFrom(const QString& text)
     return Field<DataType>::typed(text.trimmed().toStdString());
 }
 
+/// As this table and spreadsheets write it.
+bool isYes(const QString& text)
+{
+    const auto is = [&](const char* word) { return text.compare(QLatin1String(word), Qt::CaseInsensitive) == 0; };
+    return is("RETAIN") || is("TRUE") || is("1");
+}
+
 void setCell(Variable& variable, int column, const QString& text)
 {
     const std::string value = text.trimmed().toStdString();
@@ -26,7 +34,7 @@ void setCell(Variable& variable, int column, const QString& text)
     case VariablesModel::Type: variable.type = typeFrom(text); break;
     case VariablesModel::Address: variable.address = value; break;
     case VariablesModel::Initial: variable.initial = value; break;
-    case VariablesModel::Retain: variable.retain = value == "1" || value == "true" || value == "RETAIN"; break;
+    case VariablesModel::Retain: variable.retain = isYes(text.trimmed()); break;
     case VariablesModel::Comment: variable.comment = value; break;
     default: break;
     }
@@ -55,10 +63,9 @@ std::optional<std::pair<int, int>> cellOf(const std::string& field)
 } // namespace
 
 VariablesModel::VariablesModel(ProjectDocument& document, ObjectKey key, QObject* parent)
-    : QAbstractTableModel(parent), m_document(document), m_key(std::move(key))
+    : RowsModel(parent), m_document(document), m_key(std::move(key))
 {
-    if (const auto* table = m_document.content<VariableTable>(m_key))
-        m_rows = table->rows();
+    resetRows(storedRows());
     connect(&m_document, &ProjectDocument::changed, this, &VariablesModel::documentChanged);
     connect(&m_document, &ProjectDocument::diagnosticsChanged, this, &VariablesModel::refreshProblems);
     refreshProblems();
@@ -67,11 +74,14 @@ VariablesModel::VariablesModel(ProjectDocument& document, ObjectKey key, QObject
 void VariablesModel::setKey(const ObjectKey& key)
 {
     m_key = key;
+    takeRows(storedRows());
+    refreshProblems();
 }
 
-int VariablesModel::rowCount(const QModelIndex& parent) const
+std::vector<Variable> VariablesModel::storedRows() const
 {
-    return parent.isValid() ? 0 : static_cast<int>(m_rows.size()) + 1;
+    const auto* table = m_document.content<VariableTable>(m_key);
+    return table ? table->rows() : std::vector<Variable>();
 }
 
 int VariablesModel::columnCount(const QModelIndex& parent) const
@@ -101,13 +111,12 @@ QVariant VariablesModel::data(const QModelIndex& index, int role) const
 {
     if (!index.isValid())
         return {};
-    const bool isNew = index.row() == static_cast<int>(m_rows.size());
-    if (isNew) {
+    if (isEmptyRow(index.row())) {
         if (role == Qt::DisplayRole && index.column() == Name)
             return tr("new variable");
         return role == Qt::ForegroundRole ? QVariant(theme().color(Role::Faint)) : QVariant();
     }
-    const Variable& variable = m_rows[static_cast<std::size_t>(index.row())];
+    const Variable& variable = rowAt(index.row());
     const Diagnostic* wrong = problem(index.row(), index.column());
     switch (role) {
     case Qt::DisplayRole:
@@ -126,8 +135,8 @@ bool VariablesModel::setData(const QModelIndex& index, const QVariant& value, in
     const bool check = role == Qt::CheckStateRole && index.column() == Retain;
     if (!index.isValid() || (role != Qt::EditRole && !check))
         return false;
-    const bool isNew = index.row() == static_cast<int>(m_rows.size());
-    Variable variable = isNew ? Variable{} : m_rows[static_cast<std::size_t>(index.row())];
+    const bool isNew = isEmptyRow(index.row());
+    Variable variable = isNew ? Variable{} : rowAt(index.row());
     if (check)
         variable.retain = value.toInt() == Qt::Checked;
     else
@@ -159,7 +168,7 @@ Qt::ItemFlags VariablesModel::flags(const QModelIndex& index) const
         return Qt::NoItemFlags;
     const Qt::ItemFlags base = Qt::ItemIsEnabled | Qt::ItemIsSelectable;
     if (index.column() == Retain)
-        return index.row() < static_cast<int>(m_rows.size()) ? base | Qt::ItemIsUserCheckable : base;
+        return isEmptyRow(index.row()) ? base : base | Qt::ItemIsUserCheckable;
     return base | Qt::ItemIsEditable;
 }
 
@@ -173,28 +182,30 @@ void VariablesModel::replace(int first, int removed, const std::vector<Variable>
 void VariablesModel::insert(int row, const std::vector<Variable>& variables)
 {
     if (!variables.empty())
-        replace(std::min(row, static_cast<int>(m_rows.size())), 0, variables, tr("Add %n variable(s)", nullptr, static_cast<int>(variables.size())));
+        replace(std::min(row, static_cast<int>(rows().size())), 0, variables, tr("Add %n variable(s)", nullptr, static_cast<int>(variables.size())));
 }
 
-void VariablesModel::removeVariables(const std::vector<int>& rows)
+void VariablesModel::removeVariables(const std::vector<int>& removed)
 {
-    std::vector<Variable> left;
-    for (int row = 0; row < static_cast<int>(m_rows.size()); ++row) {
-        if (std::ranges::find(rows, row) == rows.end())
-            left.push_back(m_rows[static_cast<std::size_t>(row)]);
+    std::set<int> gone;
+    std::ranges::copy_if(removed, std::inserter(gone, gone.end()), [this](int row) { return row >= 0 && row < static_cast<int>(rows().size()); });
+    if (gone.empty())
+        return;
+    std::vector<Variable> left; // of the stretch from the first to the last; what lies outside stays shared
+    for (int row = *gone.begin(); row <= *gone.rbegin(); ++row) {
+        if (!gone.contains(row))
+            left.push_back(rowAt(row));
     }
-    const auto count = static_cast<int>(m_rows.size() - left.size());
-    if (count > 0)
-        replace(0, static_cast<int>(m_rows.size()), left, tr("Delete %n variable(s)", nullptr, count));
+    replace(*gone.begin(), *gone.rbegin() - *gone.begin() + 1, left, tr("Delete %n variable(s)", nullptr, static_cast<int>(gone.size())));
 }
 
-QString VariablesModel::toText(const std::vector<int>& rows) const
+QString VariablesModel::toText(const std::vector<int>& wanted) const
 {
     QStringList lines;
-    for (const int row : rows) {
-        if (row >= static_cast<int>(m_rows.size()))
+    for (const int row : wanted) {
+        if (row >= static_cast<int>(rows().size()))
             continue;
-        const Variable& variable = m_rows[static_cast<std::size_t>(row)];
+        const Variable& variable = rowAt(row);
         QStringList cells;
         for (int column = 0; column < ColumnCount; ++column)
             cells << (column == Retain ? (variable.retain ? QStringLiteral("RETAIN") : QString()) : text(variable, column));
@@ -220,26 +231,9 @@ std::vector<Variable> VariablesModel::fromText(const QString& text)
 
 void VariablesModel::documentChanged(const ProjectChange& change)
 {
-    if (!change.touches(m_key))
+    if (!change.touches(m_key) || !m_document.object(m_key)) // renamed: setKey() follows; removed: the view goes
         return;
-    const auto* table = m_document.content<VariableTable>(m_key);
-    std::vector<Variable> rows = table ? table->rows() : std::vector<Variable>();
-    if (rows.size() == m_rows.size()) {
-        m_rows = std::move(rows);
-        emit dataChanged(index(0, 0), index(static_cast<int>(m_rows.size()), ColumnCount - 1));
-        return;
-    }
-    if (rows.size() == m_rows.size() + 1 && std::equal(m_rows.begin(), m_rows.end(), rows.begin())) { // keeps the cursor where people type
-        beginInsertRows({}, static_cast<int>(rows.size()), static_cast<int>(rows.size()));
-        m_rows = std::move(rows);
-        endInsertRows();
-        const int last = static_cast<int>(m_rows.size()) - 1;
-        emit dataChanged(index(last, 0), index(last, ColumnCount - 1));
-        return;
-    }
-    beginResetModel();
-    m_rows = std::move(rows);
-    endResetModel();
+    takeRows(storedRows());
 }
 
 void VariablesModel::refreshProblems()
@@ -249,7 +243,7 @@ void VariablesModel::refreshProblems()
         if (const auto cell = cellOf(d.place.field))
             m_problems.try_emplace(*cell, d);
     }
-    emit dataChanged(index(0, 0), index(static_cast<int>(m_rows.size()), ColumnCount - 1),
+    emit dataChanged(index(0, 0), index(rowCount() - 1, ColumnCount - 1),
         {Qt::ForegroundRole, Qt::BackgroundRole, Qt::ToolTipRole});
 }
 

@@ -1,5 +1,7 @@
 #include "editors/watch/watcheditor.h"
 
+#include "editors/shell/actions.h"
+#include "editors/shell/context.h"
 #include "editors/watch/watchview.h"
 
 #include <QVBoxLayout>
@@ -14,6 +16,10 @@ WatchEditor::WatchEditor(Context& context, ObjectKey key, QWidget* parent)
     layout->addWidget(m_view);
     setFocusProxy(m_view);
     connect(m_view, &WatchView::abilitiesChanged, this, &Editor::abilitiesChanged);
+    context.actions().on(QStringLiteral("watch.force"), this, [this] {
+        if (WatchView::focused() == m_view)
+            m_view->forceSelected();
+    });
 }
 
 void WatchEditor::setKey(const ObjectKey& key)

@@ -23,24 +23,22 @@ QString typeName(DataType type)
 } // namespace
 
 WatchModel::WatchModel(ProjectDocument& document, ObjectKey key, QObject* parent)
-    : QAbstractTableModel(parent), m_document(document), m_key(std::move(key))
+    : RowsModel(parent), m_document(document), m_key(std::move(key))
 {
-    load();
+    resetRows(storedRows());
     connect(&m_document, &ProjectDocument::changed, this, &WatchModel::documentChanged);
 }
 
-void WatchModel::load()
+std::vector<WatchRow> WatchModel::storedRows() const
 {
     const auto* table = m_document.content<WatchTable>(m_key);
-    m_rows = table ? table->rows : std::vector<WatchRow>();
+    return table ? table->rows : std::vector<WatchRow>();
 }
 
 void WatchModel::setKey(const ObjectKey& key)
 {
-    beginResetModel();
     m_key = key;
-    load();
-    endResetModel();
+    resetRows(storedRows());
     emit expressionsChanged();
 }
 
@@ -48,23 +46,29 @@ void WatchModel::documentChanged(const ProjectChange& change)
 {
     if (!change.touches(m_key))
         return;
-    beginResetModel();
-    load();
-    endResetModel();
-    emit expressionsChanged();
+    const auto expressions = [this] {
+        std::vector<std::string> out;
+        for (const WatchRow& row : rows())
+            out.push_back(row.expression);
+        return out;
+    };
+    const auto before = expressions();
+    takeRows(storedRows());
+    if (expressions() != before)
+        emit expressionsChanged();
 }
 
 const WatchedValue* WatchModel::watched(int row) const
 {
-    if (row < 0 || row >= static_cast<int>(m_rows.size()))
+    if (row < 0 || row >= static_cast<int>(rows().size()))
         return nullptr;
-    const auto found = m_watched.find(m_rows[static_cast<std::size_t>(row)].expression);
+    const auto found = m_watched.find(rowAt(row).expression);
     return found == m_watched.end() ? nullptr : &found->second;
 }
 
 QString WatchModel::typedValue(int row) const
 {
-    const auto found = m_typed.find(m_rows[static_cast<std::size_t>(row)].expression);
+    const auto found = m_typed.find(rowAt(row).expression);
     return found == m_typed.end() ? QString() : found->second;
 }
 
@@ -77,32 +81,32 @@ void WatchModel::replace(const std::vector<WatchRow>& rows, const QString& label
 
 void WatchModel::add(int row, const std::vector<WatchRow>& added)
 {
-    std::vector<WatchRow> rows = m_rows;
-    rows.insert(rows.begin() + std::min<int>(row, static_cast<int>(rows.size())), added.begin(), added.end());
+    std::vector<WatchRow> changed = rows();
+    changed.insert(changed.begin() + std::min<int>(row, static_cast<int>(changed.size())), added.begin(), added.end());
     if (!added.empty())
-        replace(rows, tr("Add %n watched value(s)", nullptr, static_cast<int>(added.size())));
+        replace(changed, tr("Add %n watched value(s)", nullptr, static_cast<int>(added.size())));
 }
 
 void WatchModel::remove(const std::vector<int>& removed)
 {
-    std::vector<WatchRow> rows;
-    for (int row = 0; row < static_cast<int>(m_rows.size()); ++row) {
+    std::vector<WatchRow> left;
+    for (int row = 0; !isEmptyRow(row); ++row) {
         if (std::ranges::find(removed, row) == removed.end())
-            rows.push_back(m_rows[static_cast<std::size_t>(row)]);
+            left.push_back(rowAt(row));
     }
-    if (rows.size() != m_rows.size())
-        replace(rows, tr("Remove %n watched value(s)", nullptr, static_cast<int>(m_rows.size() - rows.size())));
+    if (left.size() != rows().size())
+        replace(left, tr("Remove %n watched value(s)", nullptr, static_cast<int>(rows().size() - left.size())));
 }
 
 void WatchModel::setFormat(const std::vector<int>& which, const std::string& format)
 {
-    std::vector<WatchRow> rows = m_rows;
+    std::vector<WatchRow> changed = rows();
     for (const int row : which) {
-        if (row < static_cast<int>(rows.size()))
-            rows[static_cast<std::size_t>(row)].format = format;
+        if (row < static_cast<int>(changed.size()))
+            changed[static_cast<std::size_t>(row)].format = format;
     }
-    if (rows != m_rows)
-        replace(rows, tr("Change the display format"));
+    if (changed != rows())
+        replace(changed, tr("Change the display format"));
 }
 
 // From the controller
@@ -112,8 +116,10 @@ void WatchModel::setType(const std::string& expression, Result<DataType> type)
     WatchedValue& watched = m_watched[expression];
     watched.type = type ? std::optional(*type) : std::nullopt;
     watched.problem = type ? std::nullopt : std::optional(type.error());
-    if (!m_rows.empty())
-        emit dataChanged(index(0, Type), index(static_cast<int>(m_rows.size()) - 1, CurrentValue));
+    if (type && m_typedWrong.contains(expression)) // typed before the type was known
+        judgeTyped(expression, *type);
+    if (!rows().empty())
+        emit dataChanged(index(0, Type), index(static_cast<int>(rows().size()) - 1, NewValue));
 }
 
 void WatchModel::update(const std::vector<MonitoredValue>& values)
@@ -126,15 +132,15 @@ void WatchModel::update(const std::vector<MonitoredValue>& values)
             watched.history.pop_front();
     }
     m_stale = false;
-    if (!m_rows.empty())
-        emit dataChanged(index(0, CurrentValue), index(static_cast<int>(m_rows.size()) - 1, History));
+    if (!rows().empty())
+        emit dataChanged(index(0, CurrentValue), index(static_cast<int>(rows().size()) - 1, History));
 }
 
 void WatchModel::setStale(bool stale)
 {
     m_stale = stale;
-    if (!m_rows.empty())
-        emit dataChanged(index(0, CurrentValue), index(static_cast<int>(m_rows.size()) - 1, History));
+    if (!rows().empty())
+        emit dataChanged(index(0, CurrentValue), index(static_cast<int>(rows().size()) - 1, History));
 }
 
 void WatchModel::forgetValues()
@@ -145,11 +151,6 @@ void WatchModel::forgetValues()
 
 // The model
 
-int WatchModel::rowCount(const QModelIndex& parent) const
-{
-    return parent.isValid() ? 0 : static_cast<int>(m_rows.size()) + 1;
-}
-
 int WatchModel::columnCount(const QModelIndex& parent) const
 {
     return parent.isValid() ? 0 : ColumnCount;
@@ -157,7 +158,7 @@ int WatchModel::columnCount(const QModelIndex& parent) const
 
 QString WatchModel::text(int row, int column) const
 {
-    const WatchRow& watchRow = m_rows[static_cast<std::size_t>(row)];
+    const WatchRow& watchRow = rowAt(row);
     const WatchedValue* known = watched(row);
     switch (column) {
     case Name: return QString::fromStdString(watchRow.expression);
@@ -179,7 +180,7 @@ QString WatchModel::text(int row, int column) const
 QVariant WatchModel::color(int row, int column) const
 {
     const WatchedValue* known = watched(row);
-    const std::string& expression = m_rows[static_cast<std::size_t>(row)].expression;
+    const std::string& expression = rowAt(row).expression;
     if (column == NewValue && m_typedWrong.contains(expression))
         return theme().color(Role::Error);
     if (column == CurrentValue && known && known->problem)
@@ -195,7 +196,7 @@ QVariant WatchModel::data(const QModelIndex& index, int role) const
 {
     if (!index.isValid())
         return {};
-    if (index.row() == static_cast<int>(m_rows.size())) {
+    if (isEmptyRow(index.row())) {
         if (role == Qt::DisplayRole && index.column() == Name)
             return tr("name or address");
         return role == Qt::ForegroundRole ? QVariant(theme().color(Role::Faint)) : QVariant();
@@ -210,7 +211,7 @@ QVariant WatchModel::data(const QModelIndex& index, int role) const
     case Qt::ForegroundRole: return color(index.row(), index.column());
     case Qt::BackgroundRole: return known && known->value && known->value->forced ? QVariant(theme().color(Role::ForcedSoft)) : QVariant();
     case Qt::ToolTipRole: {
-        const auto wrong = m_typedWrong.find(m_rows[static_cast<std::size_t>(index.row())].expression);
+        const auto wrong = m_typedWrong.find(rowAt(index.row()).expression);
         if (index.column() == NewValue && wrong != m_typedWrong.end())
             return words::sentence(wrong->second);
         return known && known->problem ? QVariant(words::sentence(*known->problem)) : QVariant();
@@ -219,21 +220,27 @@ QVariant WatchModel::data(const QModelIndex& index, int role) const
     }
 }
 
+std::optional<Value> WatchModel::judgeTyped(const std::string& expression, const std::optional<DataType>& type)
+{
+    m_typedWrong.erase(expression);
+    const auto value = type ? parseValue(*type, m_typed[expression].toStdString()) : Result<Value>(diagnostic(Code::NotConnected));
+    if (value)
+        return *value;
+    m_typedWrong.emplace(expression, value.error());
+    return std::nullopt;
+}
+
 bool WatchModel::enterNewValue(int row, const QString& text)
 {
-    const std::string& expression = m_rows[static_cast<std::size_t>(row)].expression;
-    m_typedWrong.erase(expression);
+    const std::string& expression = rowAt(row).expression;
     if (text.trimmed().isEmpty()) {
         m_typed.erase(expression);
+        m_typedWrong.erase(expression);
     } else {
         m_typed[expression] = text;
         const WatchedValue* known = watched(row);
-        const auto value = known && known->type ? parseValue(*known->type, text.toStdString())
-                                                : Result<Value>(diagnostic(Code::NotConnected));
-        if (value)
+        if (const auto value = judgeTyped(expression, known ? known->type : std::nullopt))
             emit writeRequested(QString::fromStdString(expression), *value);
-        else
-            m_typedWrong.emplace(expression, value.error());
     }
     emit dataChanged(index(row, NewValue), index(row, NewValue));
     return true;
@@ -244,7 +251,7 @@ bool WatchModel::setData(const QModelIndex& index, const QVariant& value, int ro
     if (!index.isValid() || role != Qt::EditRole)
         return false;
     const QString text = value.toString().trimmed();
-    if (index.row() == static_cast<int>(m_rows.size())) {
+    if (isEmptyRow(index.row())) {
         if (index.column() != Name || text.isEmpty())
             return false;
         add(index.row(), {WatchRow{text.toStdString(), {}}});
@@ -254,11 +261,11 @@ bool WatchModel::setData(const QModelIndex& index, const QVariant& value, int ro
         return enterNewValue(index.row(), text);
     if (index.column() != Name)
         return false;
-    std::vector<WatchRow> rows = m_rows;
-    rows[static_cast<std::size_t>(index.row())].expression = text.toStdString();
+    std::vector<WatchRow> changed = rows();
+    changed[static_cast<std::size_t>(index.row())].expression = text.toStdString();
     if (text.isEmpty())
-        rows.erase(rows.begin() + index.row());
-    replace(rows, tr("Change a watched value"));
+        changed.erase(changed.begin() + index.row());
+    replace(changed, tr("Change a watched value"));
     return true;
 }
 
@@ -285,7 +292,7 @@ Qt::ItemFlags WatchModel::flags(const QModelIndex& index) const
 {
     if (!index.isValid())
         return Qt::NoItemFlags;
-    const bool isNew = index.row() == static_cast<int>(m_rows.size());
+    const bool isNew = isEmptyRow(index.row());
     const bool editable = index.column() == Name || (index.column() == NewValue && !isNew);
     return Qt::ItemIsEnabled | Qt::ItemIsSelectable | (editable ? Qt::ItemIsEditable : Qt::NoItemFlags);
 }

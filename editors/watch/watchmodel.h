@@ -3,8 +3,7 @@
 #include "core/model/objects.h"
 #include "core/online/controllerlink.h"
 #include "editors/document/projectchange.h"
-
-#include <QAbstractTableModel>
+#include "editors/document/rowsmodel.h"
 
 #include <deque>
 #include <map>
@@ -24,7 +23,7 @@ struct WatchedValue {
 
 /// Rows of a watch table of the project with the controller's values. Editing a name or a format is a command; a new value
 /// is not part of the project: it is announced for whoever writes it.
-class WatchModel : public QAbstractTableModel {
+class WatchModel : public RowsModel<WatchRow> {
     Q_OBJECT
 public:
     enum Column { Name, Type, CurrentValue, NewValue, History, Comment, ColumnCount };
@@ -34,7 +33,6 @@ public:
 
     const ObjectKey& key() const { return m_key; }
     void setKey(const ObjectKey& key);
-    const std::vector<WatchRow>& rows() const { return m_rows; }
     const WatchedValue* watched(int row) const;
     QString typedValue(int row) const;
 
@@ -48,7 +46,6 @@ public:
     void setStale(bool stale);
     void forgetValues();
 
-    int rowCount(const QModelIndex& parent = {}) const override;
     int columnCount(const QModelIndex& parent = {}) const override;
     QVariant data(const QModelIndex& index, int role) const override;
     bool setData(const QModelIndex& index, const QVariant& value, int role) override;
@@ -61,15 +58,16 @@ signals:
 
 private:
     void documentChanged(const ProjectChange& change);
-    void load();
+    std::vector<WatchRow> storedRows() const;
     void replace(const std::vector<WatchRow>& rows, const QString& label);
     QString text(int row, int column) const;
     QVariant color(int row, int column) const;
     bool enterNewValue(int row, const QString& text);
+    /// The value that was typed for an expression; else why there is none is kept beside the text.
+    std::optional<Value> judgeTyped(const std::string& expression, const std::optional<DataType>& type);
 
     ProjectDocument& m_document;
     ObjectKey m_key;
-    std::vector<WatchRow> m_rows;
     std::map<std::string, WatchedValue> m_watched;
     std::map<std::string, QString> m_typed;          ///< new values as typed, by expression
     std::map<std::string, Diagnostic> m_typedWrong;

@@ -13,6 +13,8 @@
 #include <QStackedLayout>
 #include <QToolButton>
 
+#include <algorithm>
+
 namespace camwright {
 
 WatchPanel::WatchPanel(Context& context, QWidget* parent)
@@ -36,7 +38,11 @@ WatchPanel::WatchPanel(Context& context, QWidget* parent)
     connect(add, &QToolButton::clicked, this, &WatchPanel::addList);
     connect(m_lists, &QComboBox::activated, this, &WatchPanel::choose);
     connect(&context.document(), &ProjectDocument::changed, this, &WatchPanel::documentChanged);
-    context.actions().on(QStringLiteral("watch.force"), this, [this] { m_view->forceSelected(); });
+    context.actions().on(QStringLiteral("watch.force"), this, [this] {
+        WatchView* const focused = WatchView::focused();
+        if (!focused || focused == m_view) // a list in a tab forces its own
+            m_view->forceSelected();
+    });
     refreshLists();
 }
 
@@ -54,10 +60,12 @@ void WatchPanel::documentChanged(const ProjectChange& change)
 void WatchPanel::refreshLists()
 {
     const QString shown = QString::fromStdString(m_view->model().key().name);
+    const int place = m_lists->currentIndex(); // where a renamed list still stands
     m_lists->clear();
     for (const ObjectPtr& list : context().document().project().objects(ObjectKind::WatchTable))
         m_lists->addItem(QString::fromStdString(list->key.name));
-    const int index = std::max(0, m_lists->findText(shown));
+    const int found = m_lists->findText(shown);
+    const int index = found >= 0 ? found : std::clamp(place, 0, std::max(0, m_lists->count() - 1));
     m_layers->setCurrentIndex(m_lists->count() > 0 ? 1 : 0);
     m_tools->setVisible(m_lists->count() > 0);
     if (m_lists->count() > 0)

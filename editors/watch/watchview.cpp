@@ -10,8 +10,8 @@
 #include "editors/watch/variablelookup.h"
 #include "editors/watch/watchmodel.h"
 
+#include <QApplication>
 #include <QClipboard>
-#include <QGuiApplication>
 #include <QHeaderView>
 #include <QMenu>
 #include <QTableView>
@@ -46,6 +46,21 @@ WatchView::WatchView(Context& context, const ObjectKey& key, QWidget* parent)
     connect(&context, &Context::linkStateChanged, this, &WatchView::stateChanged);
     connect(&context, &Context::programMatchesChanged, this, &WatchView::stateChanged);
     stateChanged();
+}
+
+WatchView::~WatchView()
+{
+    unsubscribe();
+    m_table->selectionModel()->disconnect(this); // its last words, while a name was typed, are for nobody
+}
+
+WatchView* WatchView::focused()
+{
+    for (QWidget* widget = QApplication::focusWidget(); widget; widget = widget->parentWidget()) {
+        if (auto* view = qobject_cast<WatchView*>(widget))
+            return view;
+    }
+    return nullptr;
 }
 
 void WatchView::buildTable()
@@ -97,20 +112,24 @@ void WatchView::unsubscribe()
 void WatchView::resubscribe()
 {
     unsubscribe();
+    const bool lost = m_context.link() && m_context.link()->state() == LinkState::Lost;
+    if (lost) // the last values stay, dimmed
+        return;
     if (!m_context.isOnline() || !m_context.programMatches()) {
         m_model->forgetValues();
         return;
     }
+    std::set<std::string> expressions;
+    for (const WatchRow& row : m_model->rows()) {
+        if (!row.expression.empty())
+            expressions.insert(row.expression);
+    }
     // Asked one by one: a name the program does not know must not hide the others.
-    auto waiting = std::make_shared<int>(0);
+    auto waiting = std::make_shared<std::size_t>(expressions.size());
     QPointer<WatchView> self(this);
     const unsigned generation = m_generation;
-    std::set<std::string> asked;
-    for (const WatchRow& row : m_model->rows()) {
-        if (row.expression.empty() || !asked.insert(row.expression).second)
-            continue;
-        ++*waiting;
-        m_context.link()->describe({row.expression}, [self, waiting, generation, name = row.expression](const Result<std::vector<DataType>>& types) {
+    for (const std::string& expression : expressions) {
+        m_context.link()->describe({expression}, [self, waiting, generation, name = expression](const Result<std::vector<DataType>>& types) {
             if (!self || self->m_generation != generation)
                 return;
             self->m_model->setType(name, types ? Result<DataType>(types->front()) : Result<DataType>(types.error()));
@@ -215,7 +234,7 @@ void WatchView::perform(const QString& id)
         QStringList lines;
         for (const int row : rows)
             lines << QString::fromStdString(m_model->rows()[static_cast<std::size_t>(row)].expression);
-        QGuiApplication::clipboard()->setText(lines.join(QLatin1Char('\n')));
+        QApplication::clipboard()->setText(lines.join(QLatin1Char('\n')));
     }
     if (id == QLatin1String("edit.cut") || id == QLatin1String("edit.delete"))
         m_model->remove(rows);
@@ -224,7 +243,7 @@ void WatchView::perform(const QString& id)
     if (id != QLatin1String("edit.paste"))
         return;
     std::vector<WatchRow> pasted;
-    for (const QString& line : QGuiApplication::clipboard()->text().split(QLatin1Char('\n'))) {
+    for (const QString& line : QApplication::clipboard()->text().split(QLatin1Char('\n'))) {
         if (const QString name = line.section(QLatin1Char('\t'), 0, 0).trimmed(); !name.isEmpty())
             pasted.push_back({name.toStdString(), {}});
     }

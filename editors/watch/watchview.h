@@ -20,6 +20,10 @@ class WatchView : public QWidget {
     Q_OBJECT
 public:
     WatchView(Context& context, const ObjectKey& key, QWidget* parent = nullptr);
+    ~WatchView() override;
+
+    /// The one the keyboard is in; null if it is elsewhere.
+    static WatchView* focused();
 
     WatchModel& model() const { return *m_model; }
     QTableView* table() const { return m_table; }

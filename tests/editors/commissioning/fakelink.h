@@ -5,6 +5,7 @@
 #include <map>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace camwright {
@@ -119,7 +120,7 @@ public:
         m_statusListeners.erase(token);
     }
 
-private:
+protected:
     static std::string number(double value)
     {
         std::string text = std::to_string(value);
@@ -138,6 +139,7 @@ private:
         return RequestId(said.size());
     }
 
+private:
     LinkState m_state = LinkState::Online;
     int m_token = 0;
     std::map<int, std::function<void(LinkState, const Diagnostic&)>> m_stateListeners;
