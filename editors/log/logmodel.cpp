@@ -3,6 +3,8 @@
 #include "editors/shell/icons.h"
 #include "editors/words/words.h"
 
+#include <algorithm>
+
 namespace camwright {
 
 namespace {
@@ -29,10 +31,13 @@ void LogModel::clear()
 void LogModel::add(const std::vector<LogEntry>& entries)
 {
     for (const LogEntry& entry : entries) {
-        if (!m_entries.empty() && entry.sequence <= m_entries.front().sequence)
+        // Nearly always at the front; history that arrives after the first live entry goes behind it.
+        const auto place = std::ranges::find_if(m_entries, [&](const LogEntry& known) { return known.sequence <= entry.sequence; });
+        if (place != m_entries.end() && place->sequence == entry.sequence)
             continue;
-        beginInsertRows({}, 0, 0);
-        m_entries.push_front(entry);
+        const int row = static_cast<int>(place - m_entries.begin());
+        beginInsertRows({}, row, row);
+        m_entries.insert(place, entry);
         endInsertRows();
     }
     if (m_entries.size() > Limit) {

@@ -42,11 +42,21 @@ LogPanel::LogPanel(Context& context, QWidget* parent)
     follow();
 }
 
-void LogPanel::leave()
+LogPanel::~LogPanel()
+{
+    forget();
+}
+
+void LogPanel::forget()
 {
     if (context().link() && m_token != 0)
         context().link()->forget(m_token);
     m_token = 0;
+}
+
+void LogPanel::leave()
+{
+    forget();
     m_model->clear();
     m_layers->setCurrentIndex(0);
 }
@@ -57,10 +67,11 @@ void LogPanel::follow()
     if (!link || !context().isOnline())
         return;
     m_layers->setCurrentIndex(1);
+    const std::uint64_t next = m_model->nextSequence();
     if (m_token == 0)
         m_token = link->onLog([this](const LogEntry& entry) { m_model->add({entry}); });
     QPointer<LogPanel> self(this);
-    link->log(m_model->nextSequence(), [self](const Result<std::vector<LogEntry>>& entries) {
+    link->log(next, [self](const Result<std::vector<LogEntry>>& entries) {
         if (self && entries)
             self->m_model->add(*entries);
     });
@@ -76,7 +87,9 @@ void LogPanel::perform(const QString& id)
     if (id != QLatin1String("edit.copy"))
         return;
     QStringList lines;
-    for (const QModelIndex& index : m_table->selectionModel()->selectedRows()) {
+    QModelIndexList rows = m_table->selectionModel()->selectedRows();
+    std::ranges::sort(rows, {}, &QModelIndex::row); // as they stand, not as they were picked
+    for (const QModelIndex& index : rows) {
         const LogEntry& entry = m_model->entry(index.row());
         lines << QStringLiteral("%1 s\t%2\t%3\t%4").arg(seconds(entry.time), 0, 'f', 3).arg(entry.cycle)
                      .arg(words::codeId(entry.message.code), words::sentence(entry.message));

@@ -14,6 +14,7 @@ class LogPanel : public Panel {
     Q_OBJECT
 public:
     explicit LogPanel(Context& context, QWidget* parent = nullptr);
+    ~LogPanel() override;
 
     bool can(const QString& actionId) const override;
     void perform(const QString& actionId) override;
@@ -21,6 +22,7 @@ public:
 private:
     void follow();
     void leave();
+    void forget();
 
     LogModel* m_model;
     QTableView* m_table;

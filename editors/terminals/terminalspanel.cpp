@@ -18,12 +18,17 @@ namespace {
 constexpr int Columns = 4;
 constexpr Time RefreshPeriod = 50ms;
 
+QString offlineSentence()
+{
+    return TerminalsPanel::tr("Go online with the virtual controller to switch its inputs and see its outputs.");
+}
+
 } // namespace
 
 TerminalsPanel::TerminalsPanel(Context& context, QWidget* parent)
     : Panel(context, parent), m_layers(new QStackedLayout(this)), m_scroll(new QScrollArea(this))
 {
-    m_empty = new EmptyState(QStringLiteral("controller"), tr("Go online with the virtual controller to switch its inputs and see its outputs."), this);
+    m_empty = new EmptyState(QStringLiteral("controller"), offlineSentence(), this);
     m_scroll->setObjectName(QStringLiteral("terminals"));
     m_scroll->setWidgetResizable(true);
     m_scroll->setFrameShape(QFrame::NoFrame);
@@ -40,11 +45,23 @@ TerminalsPanel::TerminalsPanel(Context& context, QWidget* parent)
     follow();
 }
 
-void TerminalsPanel::leave()
+TerminalsPanel::~TerminalsPanel()
 {
+    unsubscribe();
+}
+
+void TerminalsPanel::unsubscribe()
+{
+    ++m_generation;
     if (context().link() && m_subscription)
         context().link()->unsubscribe(*m_subscription);
     m_subscription.reset();
+}
+
+void TerminalsPanel::leave()
+{
+    unsubscribe();
+    m_empty->setSentence(offlineSentence());
     m_lamps.clear();
     delete m_scroll->takeWidget();
     m_layers->setCurrentIndex(0);
@@ -60,8 +77,8 @@ void TerminalsPanel::follow()
         return;
     }
     QPointer<TerminalsPanel> self(this);
-    link->terminals([self](const Result<std::vector<TerminalInfo>>& terminals) {
-        if (self && terminals && !self->m_subscription)
+    link->terminals([self, generation = ++m_generation](const Result<std::vector<TerminalInfo>>& terminals) {
+        if (self && terminals && self->m_generation == generation)
             self->load(*terminals);
     });
 }

@@ -24,10 +24,12 @@ class TerminalsPanel : public Panel {
     Q_OBJECT
 public:
     explicit TerminalsPanel(Context& context, QWidget* parent = nullptr);
+    ~TerminalsPanel() override;
 
 private:
     void follow();
     void leave();
+    void unsubscribe();
     void load(const std::vector<TerminalInfo>& terminals);
     void addTerminals(QGridLayout* grid, const QString& title, bool inputs, const std::vector<TerminalInfo>& terminals);
     void update(const MonitorUpdate& update);
@@ -40,6 +42,7 @@ private:
     QScrollArea* m_scroll;
     std::map<std::string, TerminalLamp*> m_lamps;
     std::optional<SubscriptionId> m_subscription;
+    unsigned m_generation = 0; ///< counts what was shown, so that late answers are dropped
 };
 
 } // namespace camwright
