@@ -4936,6 +4936,10 @@
         <translation>Добавить канал</translation>
     </message>
     <message>
+        <source>Add a channel or choose a preset, then press Record to see it in every motion cycle.</source>
+        <translation>Добавьте канал или выберите набор, затем нажмите «Запись», чтобы видеть значения в каждом цикле движения.</translation>
+    </message>
+    <message>
         <source>Address, variable or axis value like axis.Feed.position; Enter adds it</source>
         <translation>Адрес, переменная или значение оси, например axis.Feed.position; Enter добавляет</translation>
     </message>
@@ -4980,6 +4984,10 @@
         <translation>Вся запись</translation>
     </message>
     <message>
+        <source>Go online, then press Record to see the channels in every motion cycle.</source>
+        <translation>Подключитесь и нажмите «Запись», чтобы видеть каналы в каждом цикле движения.</translation>
+    </message>
+    <message>
         <source>Live</source>
         <translation>Слежение</translation>
     </message>
@@ -5004,6 +5012,10 @@
         <translation>Набор</translation>
     </message>
     <message>
+        <source>Press Record to see the channels in every motion cycle.</source>
+        <translation>Нажмите «Запись», чтобы видеть каналы в каждом цикле движения.</translation>
+    </message>
+    <message>
         <source>Record</source>
         <translation>Запись</translation>
     </message>
@@ -5022,6 +5034,10 @@
     <message>
         <source>Start or end a recording of the channels</source>
         <translation>Начать или закончить запись каналов</translation>
+    </message>
+    <message>
+        <source>The curves appear as soon as the recording has samples.</source>
+        <translation>Кривые появятся, как только в записи будут отсчёты.</translation>
     </message>
     <message>
         <source>The newest samples stay in view</source>

@@ -4910,6 +4910,10 @@
         <translation>添加通道</translation>
     </message>
     <message>
+        <source>Add a channel or choose a preset, then press Record to see it in every motion cycle.</source>
+        <translation>添加通道或选择预设，然后按“记录”，即可查看每个运动周期的数值。</translation>
+    </message>
+    <message>
         <source>Address, variable or axis value like axis.Feed.position; Enter adds it</source>
         <translation>地址、变量或轴值，如 axis.Feed.position；按 Enter 添加</translation>
     </message>
@@ -4954,6 +4958,10 @@
         <translation>适应</translation>
     </message>
     <message>
+        <source>Go online, then press Record to see the channels in every motion cycle.</source>
+        <translation>转到在线后按“记录”，即可查看各通道在每个运动周期的数值。</translation>
+    </message>
+    <message>
         <source>Live</source>
         <translation>实时</translation>
     </message>
@@ -4978,6 +4986,10 @@
         <translation>预设</translation>
     </message>
     <message>
+        <source>Press Record to see the channels in every motion cycle.</source>
+        <translation>按“记录”即可查看各通道在每个运动周期的数值。</translation>
+    </message>
+    <message>
         <source>Record</source>
         <translation>记录</translation>
     </message>
@@ -4996,6 +5008,10 @@
     <message>
         <source>Start or end a recording of the channels</source>
         <translation>开始或结束通道的记录</translation>
+    </message>
+    <message>
+        <source>The curves appear as soon as the recording has samples.</source>
+        <translation>记录中一有采样，就会显示曲线。</translation>
     </message>
     <message>
         <source>The newest samples stay in view</source>

@@ -3,6 +3,8 @@
 #include "editors/shell/theme.h"
 #include "editors/trace/scopeplot.h"
 
+#include <set>
+
 namespace camwright {
 
 ChannelListModel::ChannelListModel(const TraceBuffer& buffer, QObject* parent)
@@ -12,9 +14,16 @@ ChannelListModel::ChannelListModel(const TraceBuffer& buffer, QObject* parent)
 
 void ChannelListModel::setChannels(std::vector<std::string> channels)
 {
+    std::set<std::string> hidden;
+    for (std::size_t i = 0; i < m_channels.size(); ++i) {
+        if (!m_shown[i])
+            hidden.insert(m_channels[i]);
+    }
     beginResetModel();
     m_channels = std::move(channels);
-    m_shown.assign(m_channels.size(), true);
+    m_shown.clear();
+    for (const std::string& channel : m_channels)
+        m_shown.push_back(!hidden.contains(channel));
     endResetModel();
 }
 
@@ -28,7 +37,7 @@ void ChannelListModel::setCursors(std::uint64_t cycleA, std::uint64_t cycleB)
 void ChannelListModel::refreshValues()
 {
     if (!m_channels.empty())
-        emit dataChanged(index(0, AtA), index(rowCount() - 1, AtB));
+        emit dataChanged(index(0, Name), index(rowCount() - 1, AtB)); // a name shows its unit and colour once it is recorded
 }
 
 int ChannelListModel::recorded(int row) const
@@ -91,7 +100,7 @@ QVariant ChannelListModel::data(const QModelIndex& index, int role) const
 
 bool ChannelListModel::setData(const QModelIndex& index, const QVariant& value, int role)
 {
-    if (role != Qt::CheckStateRole || index.column() != Name)
+    if (!index.isValid() || role != Qt::CheckStateRole || index.column() != Name)
         return false;
     const bool shown = value.toInt() == Qt::Checked;
     m_shown[static_cast<std::size_t>(index.row())] = shown;

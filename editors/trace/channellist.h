@@ -17,6 +17,7 @@ public:
     explicit ChannelListModel(const TraceBuffer& buffer, QObject* parent = nullptr);
 
     const std::vector<std::string>& channels() const { return m_channels; }
+    /// A channel that stays in the list stays shown or hidden.
     void setChannels(std::vector<std::string> channels);
     void setCursors(std::uint64_t cycleA, std::uint64_t cycleB);
     void refreshValues();

@@ -139,8 +139,10 @@ void ScopePlot::moveCursorLines()
         item->point2->setCoords(x, 1);
     };
     for (int cursor = 0; cursor < 2; ++cursor) {
-        for (QCPItemStraightLine* item : m_cursorLines[cursor])
+        for (QCPItemStraightLine* item : m_cursorLines[cursor]) {
+            item->setVisible(m_buffer.rows() > 0); // nothing to measure before
             place(item, m_cursors[cursor]);
+        }
     }
     for (QCPItemStraightLine* item : m_triggerLines) {
         item->setVisible(m_buffer.triggerCycle() >= 0);
@@ -316,7 +318,7 @@ QCPAxisRect* ScopePlot::firstRect() const
 
 std::optional<int> ScopePlot::cursorNear(double x) const
 {
-    for (int cursor = 0; cursor < 2; ++cursor) {
+    for (int cursor = 0; cursor < 2 && m_buffer.rows() > 0; ++cursor) {
         if (firstRect() && std::abs(firstRect()->axis(QCPAxis::atBottom)->coordToPixel(m_cursors[cursor]) - x) <= CursorReach)
             return cursor;
     }

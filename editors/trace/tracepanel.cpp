@@ -1,7 +1,9 @@
 #include "editors/trace/tracepanel.h"
 
+#include "core/online/valuename.h"
 #include "editors/shell/context.h"
 #include "editors/shell/icons.h"
+#include "editors/shell/quantityfield.h"
 #include "editors/shell/widgets.h"
 #include "editors/trace/channellist.h"
 #include "editors/trace/scopeplot.h"
@@ -19,6 +21,7 @@
 #include <QSaveFile>
 #include <QShortcut>
 #include <QSplitter>
+#include <QStackedWidget>
 #include <QTableView>
 #include <QVBoxLayout>
 
@@ -29,13 +32,8 @@ namespace camwright {
 namespace {
 
 constexpr int RedrawMs = 33;
+constexpr double FirstSpan = 10.0; // seconds of a live recording in view
 constexpr std::uint64_t KeptRows = 3'600'000; // an hour of milliseconds
-
-QString quotedAxis(const std::string& name)
-{
-    const QString text = QString::fromStdString(name);
-    return text.contains(QLatin1Char(' ')) || text.contains(QLatin1Char('.')) ? QLatin1Char('"') + text + QLatin1Char('"') : text;
-}
 
 } // namespace
 
@@ -45,7 +43,7 @@ TracePanel::TracePanel(Context& context, QWidget* parent)
     auto* split = new QSplitter(Qt::Horizontal, this);
     split->setChildrenCollapsible(false);
     split->addWidget(buildChannels());
-    split->addWidget(m_plot);
+    split->addWidget(buildCurves());
     split->setStretchFactor(1, 1);
     split->setSizes({380, 1000});
     auto* layout = new QVBoxLayout(this);
@@ -122,6 +120,15 @@ QWidget* TracePanel::buildChannels()
     return side;
 }
 
+QWidget* TracePanel::buildCurves()
+{
+    m_curves = new QStackedWidget(this);
+    m_empty = new EmptyState(QStringLiteral("trace"), {}, m_curves);
+    m_curves->addWidget(m_empty);
+    m_curves->addWidget(m_plot);
+    return m_curves;
+}
+
 QWidget* TracePanel::buildStatistics()
 {
     m_statistics = new QLabel(this);
@@ -136,7 +143,10 @@ void TracePanel::connectParts()
     connect(m_record, &QPushButton::clicked, this, [this] { m_recording ? stop() : start(); });
     connect(m_presets, &QComboBox::activated, this, &TracePanel::presetChosen);
     connect(m_newChannel, &QLineEdit::returnPressed, this, [this] {
-        addChannels(m_newChannel->text().split(QLatin1Char(','), Qt::SkipEmptyParts));
+        QStringList names;
+        for (const std::string& name : splitValueNames(m_newChannel->text().toStdString()))
+            names << QString::fromStdString(name);
+        addChannels(names);
         m_newChannel->clear();
     });
     connect(m_live, &SegmentedControl::chosen, this, [this](int index) { setLive(index == 0); });
@@ -156,6 +166,8 @@ void TracePanel::connectParts()
     connect(remove, &QShortcut::activated, this, &TracePanel::removeSelectedChannels);
     connect(&m_redraw, &QTimer::timeout, this, &TracePanel::refreshPlot);
     connect(&context().document(), &ProjectDocument::changed, this, [this](const ProjectChange& change) {
+        if (change.everything) // the channels of another project mean nothing here
+            addChannelsAnew({});
         if (change.listChanged || change.everything)
             refreshPresets();
     });
@@ -183,13 +195,18 @@ void TracePanel::presetChosen(int index)
 {
     if (index <= 0)
         return;
-    const QString axis = quotedAxis(m_presets->itemData(index).toString().toStdString());
-    m_channels->setChannels({});
+    const std::string axis = m_presets->itemData(index).toString().toStdString();
     QStringList names;
     for (const char* value : {"setPosition", "position", "velocity", "followingError", "torque", "state"})
-        names << QStringLiteral("axis.%1.%2").arg(axis, QLatin1String(value));
-    addChannels(names);
+        names << QString::fromStdString(axisValueName(axis, value));
+    addChannelsAnew(names);
     m_presets->setCurrentIndex(0);
+}
+
+void TracePanel::addChannelsAnew(const QStringList& names)
+{
+    m_channels->setChannels({});
+    addChannels(names);
 }
 
 void TracePanel::addChannels(const QStringList& names)
@@ -230,11 +247,17 @@ void TracePanel::start()
 {
     if (!context().isOnline() || m_channels->channels().empty())
         return;
+    if (QuantityField* wrong = m_trigger->wrongField()) {
+        wrong->lineEdit()->setFocus(Qt::OtherFocusReason);
+        context().notify(Severity::Error, wrong->problem());
+        return;
+    }
     TraceSetup setup;
     setup.channels = m_channels->channels();
     m_trigger->apply(setup);
     m_buffer.clear();
-    m_recording = true;
+    m_plot->rebuild(); // the curves of the recording before do not stand for this one
+    m_recording = m_isFirstLook = true;
     setLive(true);
     QPointer<TracePanel> self(this);
     context().link()->startTrace(
@@ -278,11 +301,15 @@ void TracePanel::refreshPlot()
         m_redraw.stop();
     if (!std::exchange(m_dirty, false))
         return;
-    const bool first = m_plot->timeRange().size() == 1.0 && m_plot->timeRange().lower == 0.0;
     m_plot->refresh(m_following);
-    if (first) {
+    for (int row = 0; row < m_channels->rowCount(); ++row) {
+        if (m_channels->recorded(row) >= 0)
+            m_plot->setLaneVisible(static_cast<std::size_t>(m_channels->recorded(row)), m_channels->isShown(row));
+    }
+    if (std::exchange(m_isFirstLook, false)) {
         const double newest = m_plot->timeRange().upper;
-        m_plot->setTimeRange(QCPRange(newest - 10.0, newest));
+        if (m_plot->timeRange().size() <= 1.0)
+            m_plot->setTimeRange(QCPRange(newest - FirstSpan, newest));
         m_plot->placeCursorsInView();
     }
     refreshStatistics();
@@ -314,6 +341,20 @@ void TracePanel::refreshState()
     else
         m_state->setContent(m_buffer.rows() > 0 ? tr("%1 samples").arg(m_buffer.rows()) : tr("ready"), Role::Dim, Role::FineLine);
     m_state->updateGeometry();
+    refreshEmpty();
+}
+
+void TracePanel::refreshEmpty()
+{
+    m_curves->setCurrentIndex(m_buffer.rows() > 0 ? 1 : 0);
+    if (m_recording)
+        m_empty->setSentence(tr("The curves appear as soon as the recording has samples."));
+    else if (m_channels->channels().empty())
+        m_empty->setSentence(tr("Add a channel or choose a preset, then press Record to see it in every motion cycle."));
+    else if (!context().isOnline())
+        m_empty->setSentence(tr("Go online, then press Record to see the channels in every motion cycle."));
+    else
+        m_empty->setSentence(tr("Press Record to see the channels in every motion cycle."));
 }
 
 void TracePanel::refreshStatistics()
@@ -344,14 +385,20 @@ QByteArray TracePanel::toCsv() const
 void TracePanel::exportCsv()
 {
     const QString file = QFileDialog::getSaveFileName(this, tr("Export the Recording"), QStringLiteral("trace.csv"), tr("CSV files (*.csv)"));
-    if (file.isEmpty())
-        return;
+    if (!file.isEmpty())
+        exportTo(file);
+}
+
+bool TracePanel::exportTo(const QString& file)
+{
     QSaveFile out(file);
     const QByteArray csv = toCsv();
-    if (!out.open(QIODevice::WriteOnly) || out.write(csv) != csv.size() || !out.commit())
-        context().notify(Severity::Error, tr("\"%1\" cannot be written: %2. Choose another folder.").arg(file, out.errorString()));
-    else
+    const bool written = out.open(QIODevice::WriteOnly) && out.write(csv) == csv.size() && out.commit();
+    if (written)
         context().notify(Severity::Information, tr("The recording is in \"%1\".").arg(file));
+    else
+        context().notify(Severity::Error, tr("\"%1\" cannot be written: %2. Choose another folder.").arg(file, out.errorString()));
+    return written;
 }
 
 } // namespace camwright

@@ -9,11 +9,13 @@ class QComboBox;
 class QLabel;
 class QLineEdit;
 class QPushButton;
+class QStackedWidget;
 class QTableView;
 
 namespace camwright {
 
 class ChannelListModel;
+class EmptyState;
 class Pill;
 class ScopePlot;
 class SegmentedControl;
@@ -31,18 +33,23 @@ public:
     void start();
     void stop();
     QByteArray toCsv() const;
+    /// Writes the recording to a file; tells the user how it went.
+    bool exportTo(const QString& file);
 
 private:
     QWidget* buildTopBar();
     QWidget* buildChannels();
+    QWidget* buildCurves();
     QWidget* buildStatistics();
     void connectParts();
     void presetChosen(int index);
     void refreshPresets();
+    void addChannelsAnew(const QStringList& names);
     void take(const SampleBlock& block);
     void refreshPlot();
     void refreshState();
     void refreshStatistics();
+    void refreshEmpty();
     void setLive(bool live);
     void removeSelectedChannels();
     void exportCsv();
@@ -51,6 +58,8 @@ private:
     TraceBuffer m_buffer;
     ScopePlot* m_plot;
     ChannelListModel* m_channels;
+    QStackedWidget* m_curves = nullptr;
+    EmptyState* m_empty = nullptr;
     QTableView* m_list = nullptr;
     TriggerBar* m_trigger = nullptr;
     QComboBox* m_presets = nullptr;
@@ -65,6 +74,7 @@ private:
     bool m_recording = false;
     bool m_following = true;
     bool m_dirty = false;
+    bool m_isFirstLook = false; ///< the recording has begun and was not drawn yet
 };
 
 } // namespace camwright

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace camwright {
 
@@ -32,13 +33,9 @@ TraceStatistics statisticsBetween(const TraceBuffer& buffer, std::size_t channel
     const std::uint64_t from = std::min(cycleA, cycleB), to = std::max(cycleA, cycleB);
     Sums sums;
     for (const TraceBuffer::Segment& segment : buffer.segments()) {
-        for (std::uint64_t row = segment.firstRow; row < segment.endRow(); ++row) {
-            const std::uint64_t cycle = segment.cycleOf(row);
-            if (cycle > to)
-                break;
-            if (cycle >= from)
-                sums.add(buffer.value(channel, row));
-        }
+        const std::uint64_t before = from > segment.firstCycle ? (from - segment.firstCycle + segment.stride - 1) / segment.stride : 0;
+        for (std::uint64_t row = segment.firstRow + before; row < segment.endRow() && segment.cycleOf(row) <= to; ++row)
+            sums.add(buffer.value(channel, row));
     }
     out.deltaTime = (static_cast<double>(cycleB) - static_cast<double>(cycleA)) * static_cast<double>(buffer.cycleNs()) * 1e-9;
     out.atA = buffer.valueAt(channel, cycleA);
@@ -50,7 +47,7 @@ TraceStatistics statisticsBetween(const TraceBuffer& buffer, std::size_t channel
     out.maximum = sums.maximum;
     out.mean = sums.sum / static_cast<double>(sums.count);
     out.rms = std::sqrt(sums.squares / static_cast<double>(sums.count));
-    if (out.deltaValue() && out.deltaTime != 0)
+    if (out.deltaTime != 0 && std::isfinite(out.deltaValue().value_or(std::numeric_limits<double>::quiet_NaN())))
         out.slope = *out.deltaValue() / out.deltaTime;
     return out;
 }

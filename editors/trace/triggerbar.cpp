@@ -71,6 +71,15 @@ void TriggerBar::refresh()
         widget->setVisible(triggered);
 }
 
+QuantityField* TriggerBar::wrongField() const
+{
+    for (QuantityField* field : {m_level, m_pre, m_length}) {
+        if (!field->isHidden() && !field->problem().isEmpty())
+            return field;
+    }
+    return nullptr;
+}
+
 void TriggerBar::apply(TraceSetup& setup) const
 {
     setup.trigger = static_cast<TriggerKind>(m_kind->currentData().toInt());

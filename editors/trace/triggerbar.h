@@ -5,7 +5,6 @@
 #include <QWidget>
 
 class QComboBox;
-class QDoubleSpinBox;
 
 namespace camwright {
 
@@ -20,6 +19,8 @@ public:
     void setChannels(const std::vector<std::string>& channels);
     /// Fills in all but the channels.
     void apply(TraceSetup& setup) const;
+    /// The first field whose entry is not legal and would count; null: all are.
+    QuantityField* wrongField() const;
 
 private:
     void refresh();
