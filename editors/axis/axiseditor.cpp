@@ -77,6 +77,13 @@ QString AxisEditor::iconName() const
     return axis && axis->type.valueOr(AxisType::Linear) == AxisType::Rotary ? QStringLiteral("axis-rotary") : QStringLiteral("axis-linear");
 }
 
+void AxisEditor::setKey(const ObjectKey& key)
+{
+    Editor::setKey(key);
+    refresh();
+    refreshProblems();
+}
+
 QWidget* AxisEditor::buildResults()
 {
     auto* panel = new QFrame(this);

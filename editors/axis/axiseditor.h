@@ -23,6 +23,7 @@ public:
     AxisEditor(Context& context, ObjectKey key, QWidget* parent = nullptr);
 
     QString iconName() const override;
+    void setKey(const ObjectKey& key) override;
     void reveal(const Place& place) override;
 
 private:

@@ -189,6 +189,7 @@ void CommissioningEditor::refresh()
     m_readings->present(axis, {m_motion->target(), limits.lower, limits.upper, m_motion->deceleration()});
     m_state->present(axis, status.time);
     m_lamps->present(axis, status.family, status.model);
+    arrange(); // texts of another length want other room
 }
 
 /// Where the three do not fit side by side, the state diagram gives its room to the controls; the state stays as a pill.

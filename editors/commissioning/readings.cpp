@@ -43,7 +43,12 @@ Readings::Readings(QWidget* parent)
     describe(m_travel, "travelBar", tr("Travel"), tr("Position, stopping distance and target between the limits"));
     m_homed->setObjectName(QStringLiteral("homedMark"));
     m_state->setObjectName(QStringLiteral("motionPill"));
+    m_stopsWithin->setObjectName(QStringLiteral("stopsWithin"));
     m_stopsWithin->setProperty("tone", "caption");
+    m_stopsWithin->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    m_stopsWithin->ensurePolished();
+    // Room for it from the beginning: it must not be cut, and the columns must not move, when the axis does.
+    m_stopsWithin->setMinimumWidth(m_stopsWithin->fontMetrics().horizontalAdvance(tr("stops within %1 %2").arg(QStringLiteral("00000.0"), words::unitWord("mm"))));
     auto* title = new QHBoxLayout;
     title->setSpacing(4);
     title->addWidget(groupLabel(tr("Actual Position"), this));

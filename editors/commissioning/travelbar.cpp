@@ -145,7 +145,7 @@ void TravelBar::paintTarget(QPainter& painter) const
     painter.setFont(theme().smallFont());
     const QString word = tr("target %1").arg(shownNumber(*m_travel.target, 3));
     const double wide = painter.fontMetrics().horizontalAdvance(word);
-    const double left = at + 10 + wide <= width() ? at + 10 : at - 10 - wide;
+    const double left = at + 10 + wide <= width() ? at + 10 : std::max(0.0, at - 10 - wide);
     painter.setPen(theme().color(Role::Dim));
     painter.drawText(QRectF(left, 1, wide + 2, 17), Qt::AlignVCenter | Qt::AlignLeft, word);
 }

@@ -2,7 +2,7 @@
 
 #include "editors/shell/theme.h"
 
-#include <QLocale>
+#include <cstdlib>
 
 namespace camwright {
 
@@ -16,6 +16,17 @@ QString shown(const Field<std::int64_t>& field)
 QString shown(const Field<double>& field)
 {
     return field.isValid() ? QString::number(field.value(), 'g', 10) : QString::fromStdString(field.text());
+}
+
+/// A heading in two lines of about one length, so that nine columns stand side by side.
+QString inTwoLines(const QString& heading)
+{
+    qsizetype best = -1;
+    for (qsizetype at = heading.indexOf(QLatin1Char(' ')); at >= 0; at = heading.indexOf(QLatin1Char(' '), at + 1)) {
+        if (best < 0 || std::abs(2 * at - heading.size()) < std::abs(2 * best - heading.size()))
+            best = at;
+    }
+    return best < 0 ? heading : heading.left(best) + QLatin1Char('\n') + heading.mid(best + 1);
 }
 
 } // namespace
@@ -86,12 +97,12 @@ QVariant AxisListModel::headerData(int section, Qt::Orientation orientation, int
     case Number: return tr("Axis");
     case Name: return tr("Name");
     case Type: return tr("Type");
-    case Resolution: return tr("Encoder resolution");
-    case Travel: return tr("Travel per turn");
-    case GuardTime: return tr("Guard time");
-    case LifeFactor: return tr("Life factor");
-    case InhibitTime: return tr("PDO inhibit time");
-    case EventTimer: return tr("PDO event timer");
+    case Resolution: return inTwoLines(tr("Encoder resolution"));
+    case Travel: return inTwoLines(tr("Travel per turn"));
+    case GuardTime: return inTwoLines(tr("Guard time"));
+    case LifeFactor: return inTwoLines(tr("Life factor"));
+    case InhibitTime: return inTwoLines(tr("PDO inhibit time"));
+    case EventTimer: return inTwoLines(tr("PDO event timer"));
     default: return {};
     }
 }

@@ -32,6 +32,7 @@ public:
 
     const Network& network() const { return std::get<Network>(m_network.content); }
     void setNetwork(const Network& network) { m_network.content = network; }
+    void setNetworkKey(const ObjectKey& key) { m_network.key = key; }  ///< the network was renamed in the project
     const std::vector<DraftAxis>& axes() const { return m_axes; }
     void setAxis(std::size_t index, const Axis& axis) { m_axes[index].axis() = axis; }
     /// The name is taken as typed; checks say what is wrong with it.

@@ -4,6 +4,8 @@
 #include "editors/document/projectchange.h"
 #include "editors/shell/editor.h"
 
+#include <set>
+
 class QComboBox;
 class QLabel;
 class QPushButton;
@@ -26,6 +28,7 @@ public:
     NetworkEditor(Context& context, ObjectKey key, QWidget* parent = nullptr);
 
     QString iconName() const override { return QStringLiteral("network"); }
+    void setKey(const ObjectKey& key) override;
     void reveal(const Place& place) override;
     Place place() const override;
     bool can(const QString& actionId) const override;
@@ -55,6 +58,8 @@ private:
 
     void documentChanged(const ProjectChange& change);
     void change(MotionNetworkDraft draft);
+    void keepDraft();
+    void showRecovered();
     void rebuildTree();
     void selectRow(int row);
     void selectionMoved();
@@ -64,6 +69,7 @@ private:
 
     MotionNetworkDraft m_applied;
     MotionNetworkDraft m_draft;
+    std::set<ObjectKey> m_kept; ///< what of the draft the document keeps against a crash
     int m_row = 0;           ///< 0 the master, else axis m_row - 1
     bool m_building = false;
 

@@ -217,6 +217,10 @@ void CommissioningEditorTest::longWordsFit()
     QVERIFY(qApp->installTranslator(&words));
     open();
     arm();
+    m_link->axis().moving = true; // the travel bar tells its stopping distance
+    m_link->axis().velocity = -4950;
+    m_link->push();
+    QVERIFY(!part<QLabel>("stopsWithin")->text().isEmpty());
     for (const int width : {1440, 1204, 1100}) {
         m_window->resize(width, 600);
         QTest::qWait(1);

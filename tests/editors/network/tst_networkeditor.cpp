@@ -1,14 +1,18 @@
 #include "editors/network/axislistmodel.h"
 #include "editors/network/motionnetworkdraft.h"
 #include "editors/network/networkeditor.h"
+#include "editors/document/editcommands.h"
 #include "editors/shell/actions.h"
 #include "editors/shell/context.h"
+#include "editors/shell/quantityfield.h"
 #include "editors/shell/registry.h"
 
 #include <QAbstractItemModelTester>
 #include <QComboBox>
 #include <QLineEdit>
 #include <QPushButton>
+#include <QScrollBar>
+#include <QTableView>
 #include <QTest>
 #include <QThreadPool>
 #include <QTreeWidget>
@@ -202,6 +206,121 @@ private slots:
         click(editor, "renumberAxes");
         click(editor, "applyNetwork");
         QCOMPARE(bench.document.project().objects(ObjectKind::Axis).size(), std::size_t(1));
+    }
+
+    void cancelLeavesNothingThatWantsToBeSaved()
+    {
+        Bench bench;
+        NetworkEditor editor(bench.context, NetworkKey);
+        editor.show();
+        click(editor, "addAxis");
+        QVERIFY(bench.document.isModified());
+        QVERIFY(bench.document.draft({ObjectKind::Axis, "Axis 3 name"}));
+        click(editor, "cancelNetwork");
+        QVERIFY(!bench.document.draft({ObjectKind::Axis, "Axis 3 name"}));
+        QVERIFY(!bench.document.isModified());
+    }
+
+    void anAxisAddedAndDeletedLeavesNothingThatWantsToBeSaved()
+    {
+        Bench bench;
+        NetworkEditor editor(bench.context, NetworkKey);
+        editor.show();
+        click(editor, "addAxis");
+        click(editor, "deleteAxis");
+        QVERIFY(!editor.hasUnapplied());
+        QVERIFY(!bench.document.isModified());
+    }
+
+    void anAxisRenamedAndAppliedLeavesNoDraft()
+    {
+        Bench bench;
+        NetworkEditor editor(bench.context, NetworkKey);
+        editor.show();
+        child<QTreeWidget>(editor, "networkTree")->setCurrentItem(root(editor)->child(0));
+        auto* name = child<QLineEdit>(editor, "axisName");
+        name->setFocus();
+        name->selectAll();
+        QTest::keyClicks(name, "Strip");
+        QTest::keyClick(name, Qt::Key_Return);
+        QVERIFY(bench.document.draft({ObjectKind::Axis, "Strip"}));
+        click(editor, "applyNetwork");
+        for (const char* axis : {"Feed", "Strip", "Turn"})
+            QVERIFY(!bench.document.draft({ObjectKind::Axis, axis}));
+        QVERIFY(bench.document.object({ObjectKind::Axis, "Strip"}));
+        QCOMPARE(bench.document.undoStack().count(), 1);
+    }
+
+    void whatAnInterruptedSessionHadNotAppliedStandsInTheWindow() // CONTRACTS 5
+    {
+        Bench bench;
+        Object network = *bench.document.object(NetworkKey), feed = *bench.document.object({ObjectKind::Axis, "Feed"});
+        std::get<Network>(network.content).sdoTimeoutMs = Field<std::int64_t>::typed("soon");
+        std::get<Axis>(feed.content).guardTimeMs = 77;
+        bench.document.setDraft(feed.key, std::make_shared<const Object>(feed));
+        bench.document.setDraft(NetworkKey, std::make_shared<const Object>(network));
+        NetworkEditor editor(bench.context, NetworkKey);
+        QVERIFY(editor.hasUnapplied());
+        QCOMPARE(editor.draft().network().sdoTimeoutMs.text(), std::string("soon"));
+        QCOMPARE(editor.draft().axes()[0].axis().guardTimeMs.value(), 77);
+        QCOMPARE(bench.document.undoStack().count(), 0);
+    }
+
+    void aRenamedNetworkStaysTheSame()
+    {
+        Bench bench;
+        NetworkEditor editor(bench.context, NetworkKey);
+        editor.show();
+        MotionNetworkDraft slow = editor.draft();
+        slow.setNetwork(Network{500000, 250});
+        slow.apply(bench.document, QStringLiteral("slow"));
+        const ObjectKey bus{ObjectKind::Network, "Bus"};
+        QVERIFY(renameObject(bench.document, NetworkKey, "Bus").ok());
+        editor.setKey(bus);
+        QVERIFY(!editor.hasUnapplied());
+        QCOMPARE(editor.draft().network().baudrate.value(), 500000);
+        click(editor, "addAxis");
+        click(editor, "applyNetwork");
+        QCOMPARE(bench.document.project().objects(ObjectKind::Network).size(), std::size_t(1));
+        QCOMPARE(bench.document.content<Network>(bus)->baudrate.value(), 500000);
+    }
+
+    void anIllegalEntryIsKeptAndKeepsApplyBack() // CONTRACTS 3
+    {
+        Bench bench;
+        NetworkEditor editor(bench.context, NetworkKey);
+        editor.show();
+        QLineEdit* field = child<QuantityField>(editor, "sdo_timeout_ms")->lineEdit();
+        field->setFocus();
+        field->selectAll();
+        QTest::keyClicks(field, "12x");
+        QTest::keyClick(field, Qt::Key_Return);
+        QCOMPARE(editor.draft().network().sdoTimeoutMs.text(), std::string("12x"));
+        click(editor, "applyNetwork");
+        QVERIFY(editor.hasUnapplied());
+        QCOMPARE(field->text(), QString("12x"));
+        QVERIFY(!child<QLabel>(editor, "networkMessage")->text().isEmpty());
+        field->setFocus();
+        field->selectAll();
+        QTest::keyClicks(field, "16#FF");
+        QTest::keyClick(field, Qt::Key_Return);
+        click(editor, "applyNetwork");
+        QCOMPARE(bench.document.content<Network>(NetworkKey)->sdoTimeoutMs.value(), 255);
+    }
+
+    void threeAxesAreSeenInALowWindowAndAllColumnsInAUsualOne()
+    {
+        Bench bench;
+        NetworkEditor editor(bench.context, NetworkKey);
+        editor.show();
+        click(editor, "addAxis");
+        editor.resize(1200, 480); // with the bottom panel open
+        QTest::qWait(1);
+        auto* list = child<QTableView>(editor, "axisList");
+        QVERIFY(list->viewport()->rect().contains(list->visualRect(list->model()->index(2, 0))));
+        QVERIFY(!list->horizontalScrollBar()->isVisible());
+        QVERIFY(!list->verticalScrollBar()->isVisible());
+        QCOMPARE(list->model()->headerData(AxisListModel::InhibitTime, Qt::Horizontal).toString().count('\n'), 1);
     }
 
     void aNewBaudRateProposesASdoTimeout()
