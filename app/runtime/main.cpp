@@ -50,8 +50,9 @@ std::optional<RuntimeOptions> readOptions(const QCommandLineParser& parser, std:
     out.seed = parser.value(QStringLiteral("seed")).toULongLong(&seedGood);
     const uint idle = parser.value(QStringLiteral("idle")).toUInt(&idleGood);
     out.idle = std::chrono::seconds(idle);
-    if (!parser.positionalArguments().isEmpty())
-        error = "\"" + parser.positionalArguments().first().toStdString() + "\" is no option. --help tells the options.";
+    const QStringList strays = parser.positionalArguments();
+    if (!strays.isEmpty())
+        error = "\"" + strays.first().toStdString() + "\" is no option. --help tells the options.";
     else if (out.listen.empty() && out.local.empty())
         error = "nobody could connect. Give --listen HOST:PORT or --local SOCKETFILE.";
     else if (!seedGood)

@@ -45,9 +45,9 @@ std::optional<HostPort> parseHostPort(std::string_view text)
 
 Diagnostic addressError(const std::string& address)
 {
-    for (const std::string kind : {"tls:", "serial:", "modbus-tcp:", "modbus-rtu:", "can:", "ethercat:"})
-        if (address.starts_with(kind))
-            return diagnostic(Code::AddressKindNotYet, {kind.substr(0, kind.size() - 1)});
+    for (const char* kind : {"tls", "serial", "modbus-tcp", "modbus-rtu", "can", "ethercat"})
+        if (address.starts_with(kind + std::string(":")))
+            return diagnostic(Code::AddressKindNotYet, {kind});
     return diagnostic(Code::AddressNotUnderstood, {address});
 }
 
