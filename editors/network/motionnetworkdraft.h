@@ -3,6 +3,8 @@
 #include "core/base/diagnostic.h"
 #include "core/model/project.h"
 
+#include <QString>
+
 #include <optional>
 #include <set>
 #include <string>

@@ -2,6 +2,7 @@
 
 #include "editors/words/words.h"
 
+#include <QCoreApplication>
 #include <QThreadPool>
 
 namespace camwright {

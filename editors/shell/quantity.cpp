@@ -119,7 +119,8 @@ std::optional<double> parseQuantity(const QString& typed, const QString& unit, d
     if (!match.hasMatch())
         return std::nullopt;
     QString digits = match.captured(2);
-    digits.remove(QRegularExpression(QStringLiteral("[ \u202f\u00a0]"))).replace(QLatin1Char(','), QLatin1Char('.'));
+    static const QRegularExpression blanks(QStringLiteral("[ \u202f\u00a0]"));
+    digits.remove(blanks).replace(QLatin1Char(','), QLatin1Char('.'));
     bool ok = false;
     double value = QLocale::c().toDouble(digits + match.captured(3), &ok);
     if (!ok)

@@ -313,7 +313,8 @@ void ScopePlot::placeCursorsInView()
 
 QCPAxisRect* ScopePlot::firstRect() const
 {
-    return axisRects().isEmpty() ? nullptr : axisRects().first();
+    const QList<QCPAxisRect*> rects = axisRects();
+    return rects.isEmpty() ? nullptr : rects.first();
 }
 
 std::optional<int> ScopePlot::cursorNear(double x) const

@@ -370,11 +370,12 @@ void TracePanel::refreshStatistics()
     const TraceStatistics s = statisticsBetween(m_buffer, static_cast<std::size_t>(channel), a, b);
     const auto number = [](double value) { return QString::number(value, 'f', 3); };
     const auto optional = [&](const std::optional<double>& value) { return value ? number(*value) : QStringLiteral("–"); };
+    const auto known = [&](double value) { return s.samples ? number(value) : QStringLiteral("–"); };
     const QString unit = QString::fromStdString(info.unit);
     m_statistics->setText(tr("%1   A %2   B %3   Δt %4 s   Δy %5 %6   min %7   max %8   mean %9")
-        .arg(QString::fromStdString(info.name), optional(s.atA), optional(s.atB), number(s.deltaTime), optional(s.deltaValue()), unit)
-        .arg(s.samples ? number(s.minimum) : QStringLiteral("–"), s.samples ? number(s.maximum) : QStringLiteral("–"), s.samples ? number(s.mean) : QStringLiteral("–"))
-        + tr("   RMS %1   slope %2 %3/s").arg(s.samples ? number(s.rms) : QStringLiteral("–"), s.samples ? number(s.slope) : QStringLiteral("–"), unit));
+        .arg(QString::fromStdString(info.name), optional(s.atA), optional(s.atB), number(s.deltaTime), optional(s.deltaValue()), unit,
+            known(s.minimum), known(s.maximum), known(s.mean))
+        + tr("   RMS %1   slope %2 %3/s").arg(known(s.rms), known(s.slope), unit));
 }
 
 QByteArray TracePanel::toCsv() const
