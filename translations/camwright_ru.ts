@@ -60,6 +60,10 @@
         <translation>&amp;Загрузить...</translation>
     </message>
     <message>
+        <source>&amp;Explain This Message</source>
+        <translation>&amp;Пояснить это сообщение</translation>
+    </message>
+    <message>
         <source>&amp;Find Anything...</source>
         <translation>&amp;Найти что угодно...</translation>
     </message>
@@ -458,6 +462,10 @@
     <message>
         <source>Shows the next tab of the group.</source>
         <translation>Показывает следующую вкладку группы.</translation>
+    </message>
+    <message>
+        <source>Shows the page about the selected message: an example and the way out. F1 in the list does the same.</source>
+        <translation>Показывает страницу о выбранном сообщении: пример и как исправить. В списке то же делает F1.</translation>
     </message>
     <message>
         <source>Shows the pages that come with Camwright.</source>
@@ -3020,6 +3028,13 @@
     </message>
 </context>
 <context>
+    <name>camwright::Explain</name>
+    <message>
+        <source>Explain This Message</source>
+        <translation>Пояснить это сообщение</translation>
+    </message>
+</context>
+<context>
     <name>camwright::FamilyCard</name>
     <message>
         <source>New project for %1</source>
@@ -3366,6 +3381,10 @@
         <translation>Журнал контроллера</translation>
     </message>
     <message>
+        <source>Copy</source>
+        <translation>Копировать</translation>
+    </message>
+    <message>
         <source>Go online to see what the controller reports.</source>
         <translation>Подключитесь, чтобы видеть сообщения контроллера.</translation>
     </message>
@@ -3374,8 +3393,8 @@
         <translation>Журнал</translation>
     </message>
     <message>
-        <source>What the controller reported, newest first</source>
-        <translation>Что сообщал контроллер, новое сверху</translation>
+        <source>What the controller reported, newest first. F1 explains an entry.</source>
+        <translation>Что сообщал контроллер, новое сверху. F1 поясняет запись.</translation>
     </message>
 </context>
 <context>
@@ -4074,6 +4093,14 @@
 <context>
     <name>camwright::ProblemsView</name>
     <message>
+        <source>Copy</source>
+        <translation>Копировать</translation>
+    </message>
+    <message>
+        <source>Go to Its Place</source>
+        <translation>Перейти к месту</translation>
+    </message>
+    <message>
         <source>No problems. Checks run as you type.</source>
         <translation>Проблем нет. Проверка идёт по мере ввода.</translation>
     </message>
@@ -4082,8 +4109,8 @@
         <translation>Проблемы</translation>
     </message>
     <message>
-        <source>What is wrong with the project. Enter goes to the place.</source>
-        <translation>Что не так в проекте. Enter переходит к месту.</translation>
+        <source>What is wrong with the project. Enter goes to the place, F1 explains the message.</source>
+        <translation>Что не так в проекте. Enter переходит к месту, F1 поясняет сообщение.</translation>
     </message>
 </context>
 <context>

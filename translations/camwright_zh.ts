@@ -60,6 +60,10 @@
         <translation>下载(&amp;D)...</translation>
     </message>
     <message>
+        <source>&amp;Explain This Message</source>
+        <translation>解释此消息(&amp;E)</translation>
+    </message>
+    <message>
         <source>&amp;Find Anything...</source>
         <translation>查找任意内容(&amp;F)...</translation>
     </message>
@@ -460,6 +464,10 @@
         <translation>显示本组的下一个标签页。</translation>
     </message>
     <message>
+        <source>Shows the page about the selected message: an example and the way out. F1 in the list does the same.</source>
+        <translation>显示所选消息的说明页面：示例和解决办法。在列表中按 F1 效果相同。</translation>
+    </message>
+    <message>
         <source>Shows the pages that come with Camwright.</source>
         <translation>显示 Camwright 自带的页面。</translation>
     </message>
@@ -584,7 +592,7 @@
     </message>
     <message>
         <source>a second hello</source>
-        <translation>第二次问候</translation>
+        <translation>第二个 hello 报文</translation>
     </message>
     <message>
         <source>a text that is longer than the message</source>
@@ -728,11 +736,11 @@
     </message>
     <message>
         <source>no true or false where one is due</source>
-        <translation>应有真假值处没有真假值</translation>
+        <translation>应为布尔值处没有布尔值</translation>
     </message>
     <message>
         <source>no welcome</source>
-        <translation>没有欢迎报文</translation>
+        <translation>没有 welcome 报文</translation>
     </message>
     <message>
         <source>nothing came for %1 s</source>
@@ -1193,7 +1201,7 @@
     </message>
     <message>
         <source>&quot;%1&quot; names no memory area of %2. The areas are %3.</source>
-        <translation>“%1”中没有 %2 的存储区。存储区：%3。</translation>
+        <translation>“%1”不对应 %2 的任何存储区。存储区：%3。</translation>
     </message>
     <message>
         <source>&quot;%1&quot; needs control. Take control first.</source>
@@ -1233,11 +1241,11 @@
     </message>
     <message>
         <source>%1 has control. It is free as soon as they release it or their connection ends.</source>
-        <translation>控制权在 %1 手中。其释放控制权或连接结束后即可取得。</translation>
+        <translation>控制权在 %1 手中。对方释放控制权或其连接结束后即可取得。</translation>
     </message>
     <message>
         <source>%1 has no effect on the virtual controller, which does not imitate it yet. On the real controller it runs.</source>
-        <translation>%1 在虚拟控制器上不起作用，尚未模拟。在真实控制器上可以运行。</translation>
+        <translation>%1 在虚拟控制器上不起作用：尚未仿真该指令。在真实控制器上可以运行。</translation>
     </message>
     <message>
         <source>%1 has no effect on the virtual controller: pulse outputs are not simulated yet. On the real controller it runs.</source>
@@ -1261,7 +1269,7 @@
     </message>
     <message>
         <source>%1 is %2. The operand %3 of %4 is %5.</source>
-        <translation>%1 是 %2，而 %4 的操作数 %3 是 %5。</translation>
+        <translation>%1 是 %2，而 %4 的操作数 %3 须为 %5。</translation>
     </message>
     <message>
         <source>%1 is a constant, and %3 writes its result into the operand %2. Write an address.</source>
@@ -1281,7 +1289,7 @@
     </message>
     <message>
         <source>%1 is not an address of this machine itself. Until users and encryption exist the runtime listens on 127.0.0.1 or ::1 only.</source>
-        <translation>%1 不是本机自身的地址。在具备用户和加密之前，运行时只在 127.0.0.1 或 ：：1 上侦听。</translation>
+        <translation>%1 不是本机自身的地址。在具备用户和加密功能之前，运行时只在 127.0.0.1 或 ::1 上侦听。</translation>
     </message>
     <message>
         <source>%1 is out of range for %2, which goes from %3 to %4.</source>
@@ -1297,7 +1305,7 @@
     </message>
     <message>
         <source>%1 is recording a trace. There is one recorder; it is free when they stop.</source>
-        <translation>%1 正在记录跟踪。记录器只有一个；其停止后即可使用。</translation>
+        <translation>%1 正在记录跟踪。记录器只有一个；对方停止后即可使用。</translation>
     </message>
     <message>
         <source>%1 is the coil of two rungs. Only the last one counts in each scan.</source>
@@ -1433,7 +1441,7 @@
     </message>
     <message>
         <source>Axis &quot;%1&quot; is not armed. Arm it first, and keep the heartbeats coming while it moves.</source>
-        <translation>轴“%1”未预备。先预备它，并在其移动时保持心跳。</translation>
+        <translation>轴“%1”的面板控制未激活。先激活，并在该轴移动期间保持心跳。</translation>
     </message>
     <message>
         <source>Axis &quot;%1&quot; is not enabled. Enable it first.</source>
@@ -1669,7 +1677,7 @@
     </message>
     <message>
         <source>The first line of the file is not the number of networks, like (*5*). The whole text was taken.</source>
-        <translation>文件第一行不是网络数(如 (*5*))。已采用全部文本。</translation>
+        <translation>文件第一行不是网络数（例如 (*5*)）。已采用全部文本。</translation>
     </message>
     <message>
         <source>The first line says %1 networks, and %2 are in the file. Check that the file is complete.</source>
@@ -1737,15 +1745,15 @@
     </message>
     <message>
         <source>The operand %2 of %3 is a constant, %1 is not.</source>
-        <translation>%3 的操作数 %2 是常数，而 %1 不是。</translation>
+        <translation>%3 的操作数 %2 须为常数，而 %1 不是。</translation>
     </message>
     <message>
         <source>The operand %2 of %3 is a counter, %1 is not. Write it like C0.</source>
-        <translation>%3 的操作数 %2 是计数器，而 %1 不是。写法示例：C0。</translation>
+        <translation>%3 的操作数 %2 须为计数器，而 %1 不是。写法示例：C0。</translation>
     </message>
     <message>
         <source>The operand %2 of %3 is a timer, %1 is not. Write it like T0.</source>
-        <translation>%3 的操作数 %2 是定时器，而 %1 不是。写法示例：T0。</translation>
+        <translation>%3 的操作数 %2 须为定时器，而 %1 不是。写法示例：T0。</translation>
     </message>
     <message>
         <source>The operands %1 of %2 are all constants or all memory. Here they are mixed.</source>
@@ -2238,7 +2246,7 @@
     </message>
     <message>
         <source>Arm panel control first.</source>
-        <translation>先预备面板控制。</translation>
+        <translation>先激活面板控制。</translation>
     </message>
     <message>
         <source>Clears the error once its cause is gone.</source>
@@ -2294,15 +2302,15 @@
     </message>
     <message>
         <source>arm it to move the axis</source>
-        <translation>预备后可移动轴</translation>
+        <translation>激活后可移动轴</translation>
     </message>
     <message>
         <source>armed</source>
-        <translation>已预备</translation>
+        <translation>已激活</translation>
     </message>
     <message>
         <source>arming</source>
-        <translation>正在预备</translation>
+        <translation>正在激活</translation>
     </message>
     <message>
         <source>off</source>
@@ -2700,7 +2708,7 @@
     <name>camwright::ConnectionStrip</name>
     <message>
         <source>A panel is armed</source>
-        <translation>有面板已预备</translation>
+        <translation>有面板已激活</translation>
     </message>
     <message>
         <source>Connecting to %1</source>
@@ -2781,7 +2789,7 @@
     </message>
     <message>
         <source>Change the watchdog</source>
-        <translation>更改看门狗</translation>
+        <translation>更改看门狗时间</translation>
     </message>
     <message>
         <source>Controller</source>
@@ -2845,11 +2853,11 @@
     </message>
     <message>
         <source>What the Model Offers</source>
-        <translation>型号的能力</translation>
+        <translation>型号规格</translation>
     </message>
     <message>
         <source>What the model offers</source>
-        <translation>型号的能力</translation>
+        <translation>型号规格</translation>
     </message>
     <message>
         <source>ms</source>
@@ -3016,6 +3024,13 @@
     </message>
 </context>
 <context>
+    <name>camwright::Explain</name>
+    <message>
+        <source>Explain This Message</source>
+        <translation>解释此消息</translation>
+    </message>
+</context>
+<context>
     <name>camwright::FamilyCard</name>
     <message>
         <source>New project for %1</source>
@@ -3091,7 +3106,7 @@
     <name>camwright::HoldButton</name>
     <message>
         <source>%1 while held (%2 while armed)</source>
-        <translation>按住时%1（预备时用 %2）</translation>
+        <translation>按住时%1（激活后可用 %2）</translation>
     </message>
 </context>
 <context>
@@ -3303,7 +3318,7 @@
     </message>
     <message>
         <source>free</source>
-        <translation>未到</translation>
+        <translation>未触发</translation>
     </message>
     <message>
         <source>none</source>
@@ -3315,7 +3330,7 @@
     </message>
     <message>
         <source>off</source>
-        <translation>关</translation>
+        <translation>断开</translation>
     </message>
     <message>
         <source>on</source>
@@ -3327,7 +3342,7 @@
     </message>
     <message>
         <source>reached</source>
-        <translation>到达</translation>
+        <translation>已触发</translation>
     </message>
 </context>
 <context>
@@ -3360,6 +3375,10 @@
         <translation>控制器日志</translation>
     </message>
     <message>
+        <source>Copy</source>
+        <translation>复制</translation>
+    </message>
+    <message>
         <source>Go online to see what the controller reports.</source>
         <translation>转到在线以查看控制器的报告。</translation>
     </message>
@@ -3368,8 +3387,8 @@
         <translation>日志</translation>
     </message>
     <message>
-        <source>What the controller reported, newest first</source>
-        <translation>控制器的报告，最新的在前</translation>
+        <source>What the controller reported, newest first. F1 explains an entry.</source>
+        <translation>控制器的报告，最新的在前。按 F1 解释条目。</translation>
     </message>
 </context>
 <context>
@@ -3496,7 +3515,7 @@
     </message>
     <message>
         <source>Keep It</source>
-        <translation>保留原程序</translation>
+        <translation>保留该文件</translation>
     </message>
     <message>
         <source>Keep Mine</source>
@@ -3601,7 +3620,7 @@
     </message>
     <message>
         <source>Stops every axis at once. Esc and Space do the same while this panel is armed or moves the axis.</source>
-        <translation>立即停止每个轴。此面板预备或移动轴时，Esc 和空格键作用相同。</translation>
+        <translation>立即停止每个轴。此面板已激活或正在移动轴时，Esc 和空格键作用相同。</translation>
     </message>
     <message>
         <source>The axis is still moving.</source>
@@ -4015,7 +4034,7 @@
     </message>
     <message>
         <source>Arm panel control first.</source>
-        <translation>先预备面板控制。</translation>
+        <translation>先激活面板控制。</translation>
     </message>
     <message>
         <source>Control was lost. Panel control is off.</source>
@@ -4035,7 +4054,7 @@
     </message>
     <message>
         <source>The controller has ended panel control of this axis. Arm it again to go on.</source>
-        <translation>控制器已结束对此轴的面板控制。重新预备后继续。</translation>
+        <translation>控制器已结束对此轴的面板控制。重新激活后继续。</translation>
     </message>
     <message>
         <source>The drive is not on the bus.</source>
@@ -4060,6 +4079,14 @@
 <context>
     <name>camwright::ProblemsView</name>
     <message>
+        <source>Copy</source>
+        <translation>复制</translation>
+    </message>
+    <message>
+        <source>Go to Its Place</source>
+        <translation>转到其位置</translation>
+    </message>
+    <message>
         <source>No problems. Checks run as you type.</source>
         <translation>没有问题。输入时即进行检查。</translation>
     </message>
@@ -4068,8 +4095,8 @@
         <translation>问题</translation>
     </message>
     <message>
-        <source>What is wrong with the project. Enter goes to the place.</source>
-        <translation>工程中的错误。按 Enter 转到其位置。</translation>
+        <source>What is wrong with the project. Enter goes to the place, F1 explains the message.</source>
+        <translation>工程中的错误。按 Enter 转到其位置，按 F1 解释该消息。</translation>
     </message>
 </context>
 <context>
@@ -4098,7 +4125,7 @@
     </message>
     <message>
         <source>Keep It</source>
-        <translation>保留原程序</translation>
+        <translation>保留原样</translation>
     </message>
     <message>
         <source>KincoBuilder programs (*.ilp *.il *.txt);;All files (*)</source>
@@ -4106,7 +4133,7 @@
     </message>
     <message>
         <source>Program</source>
-        <translation>编程</translation>
+        <translation>程序</translation>
     </message>
     <message>
         <source>Program text</source>
@@ -4248,7 +4275,7 @@
     <name>camwright::QuantityField</name>
     <message>
         <source> of %1</source>
-        <translation>(单位 %1)</translation>
+        <translation>（单位 %1）</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is not a number%2.</source>
@@ -4764,15 +4791,15 @@
     </message>
     <message>
         <source>control: %1</source>
-        <translation>控制：%1</translation>
+        <translation>控制权：%1</translation>
     </message>
     <message>
         <source>control: nobody</source>
-        <translation>控制：无人</translation>
+        <translation>控制权：无</translation>
     </message>
     <message>
         <source>control: you</source>
-        <translation>控制：您</translation>
+        <translation>控制权：您</translation>
     </message>
     <message>
         <source>forces %1</source>
@@ -5156,7 +5183,7 @@
     </message>
     <message>
         <source>Value at which the recording is triggered.</source>
-        <translation>触发记录的值。</translation>
+        <translation>达到此值时触发记录。</translation>
     </message>
     <message>
         <source>Value that is watched for the trigger</source>

@@ -26,6 +26,7 @@ constexpr Verb Verbs[] = {
     {"trace", "NAME...", 1, -1, "Records values in every motion cycle.", addTraceOptions, runTrace},
     {"axis", "JOB [AXIS]", 1, 2, "Enables, homes, moves, jogs and stops axes.", addAxisOptions, runAxis},
     {"log", "", 0, 0, "Shows the controller's log.", addLogOptions, runLog},
+    {"explain", "CODE", 1, 1, "Shows the page about a message: an example and the way out.", noOptions, runExplain},
 };
 
 } // namespace

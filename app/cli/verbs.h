@@ -24,6 +24,7 @@ int runMonitor(Invocation&);
 int runTrace(Invocation&);
 int runAxis(Invocation&);
 int runLog(Invocation&);
+int runExplain(Invocation&);
 
 void addNewOptions(QCommandLineParser&);
 void addBuildOptions(QCommandLineParser&);

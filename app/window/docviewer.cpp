@@ -1,16 +1,20 @@
 #include "app/window/docviewer.h"
 
-#include "app/window/settings.h"
 #include "editors/shell/theme.h"
 #include "editors/shell/widgets.h"
+#include "editors/words/shipped.h"
 
 #include <QDesktopServices>
 #include <QDirIterator>
 #include <QFileInfo>
 #include <QListWidget>
 #include <QSplitter>
+#include <QTextBlock>
 #include <QTextBrowser>
+#include <QTextCursor>
 #include <QTextDocument>
+#include <QTextList>
+#include <QTextTable>
 #include <QVBoxLayout>
 
 namespace camwright {
@@ -28,6 +32,28 @@ QString titleOf(const QString& path)
             return line.mid(2);
     }
     return QFileInfo(path).baseName();
+}
+
+/// Markdown arrives without space between its paragraphs; this gives them some, and code its ground.
+void spaceOut(QTextDocument& document)
+{
+    for (QTextBlock block = document.begin(); block.isValid(); block = block.next()) {
+        QTextCursor cursor(block);
+        QTextBlockFormat format = block.blockFormat();
+        const bool isCode = format.hasProperty(QTextFormat::BlockCodeFence) || format.hasProperty(QTextFormat::BlockCodeLanguage);
+        const bool goesOn = isCode && block.next().isValid() && block.next().blockFormat().hasProperty(QTextFormat::BlockCodeFence);
+        if (format.headingLevel() > 0) {
+            format.setTopMargin(block == document.begin() ? 0 : 16);
+            format.setBottomMargin(8);
+        } else if (isCode) {
+            format.setBackground(theme().color(Role::Raised));
+            format.setBottomMargin(goesOn ? 0 : 10);
+        } else if (!cursor.currentTable()) {
+            format.setLineHeight(130, QTextBlockFormat::ProportionalHeight);
+            format.setBottomMargin(block.textList() ? 3 : 10);
+        }
+        cursor.setBlockFormat(format);
+    }
 }
 
 } // namespace
@@ -71,13 +97,8 @@ DocViewer::DocViewer(const QString& path, QWidget* parent) : QDialog(parent)
     split->setStretchFactor(1, 1);
     split->setSizes({240, 740});
     column->addWidget(split);
-    for (const DocPage& page : docPages()) {
-        auto* item = new QListWidgetItem(page.title, m_list);
-        item->setData(Qt::UserRole, page.path);
-        item->setSizeHint({100, Theme::TreeRow + 4});
-        if (page.path == path)
-            m_list->setCurrentItem(item);
-    }
+    for (const DocPage& page : docPages())
+        addItem(page, m_list->count());
     connect(m_list, &QListWidget::currentItemChanged, this, [this](QListWidgetItem* item) {
         if (item)
             showPage(item->data(Qt::UserRole).toString());
@@ -87,15 +108,36 @@ DocViewer::DocViewer(const QString& path, QWidget* parent) : QDialog(parent)
             QDesktopServices::openUrl(url);
             return;
         }
-        const QListWidgetItem* item = m_list->currentItem();
-        const QString target = item ? QFileInfo(item->data(Qt::UserRole).toString()).dir().filePath(url.path()) : QString();
+        const QString target = QFileInfo(m_path).dir().filePath(url.path());
         if (QFileInfo::exists(target))
             showPage(target);
     });
-    if (m_list->currentItem())
-        showPage(m_list->currentItem()->data(Qt::UserRole).toString());
+    if (!path.isEmpty())
+        showPage(path);
     else if (m_list->count() > 0)
         m_list->setCurrentRow(0);
+    m_text->setFocus(); // the arrow keys scroll
+}
+
+QListWidgetItem* DocViewer::addItem(const DocPage& page, int row)
+{
+    auto* item = new QListWidgetItem(page.title);
+    item->setData(Qt::UserRole, page.path);
+    item->setToolTip(page.title);
+    item->setSizeHint({100, Theme::TreeRow + 4});
+    m_list->insertItem(row, item);
+    return item;
+}
+
+QListWidgetItem* DocViewer::itemOf(const QString& path)
+{
+    for (int row = 0; row < m_list->count(); ++row) {
+        if (QDir::cleanPath(m_list->item(row)->data(Qt::UserRole).toString()) == QDir::cleanPath(path))
+            return m_list->item(row);
+    }
+    delete m_extra;
+    m_extra = addItem({titleOf(path), path}, 0);
+    return m_extra;
 }
 
 void DocViewer::showPage(const QString& path)
@@ -103,8 +145,13 @@ void DocViewer::showPage(const QString& path)
     QFile file(path);
     if (!file.open(QIODevice::ReadOnly))
         return;
+    m_path = path;
+    const QSignalBlocker quiet(m_list);
+    m_list->setCurrentItem(itemOf(path));
     m_text->setSearchPaths({QFileInfo(path).path()});
     m_text->setMarkdown(QString::fromUtf8(file.readAll()));
+    spaceOut(*m_text->document());
+    m_text->moveCursor(QTextCursor::Start);
 }
 
 } // namespace camwright

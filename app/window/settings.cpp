@@ -219,10 +219,4 @@ void Settings::setProjectsFolder(const QString& folder)
     QSettings().setValue(QStringLiteral("projectsFolder"), folder);
 }
 
-QString sharedPath(const QString& name)
-{
-    const QString path = QDir::cleanPath(QCoreApplication::applicationDirPath() + QStringLiteral("/../share/camwright/") + name);
-    return QFileInfo::exists(path) ? path : QString();
-}
-
 } // namespace camwright

@@ -59,7 +59,4 @@ public:
     void setProjectsFolder(const QString& folder);
 };
 
-/// Shipped files: `<executable>/../share/camwright/NAME` (CONTRACTS 25). Empty when it is not there.
-QString sharedPath(const QString& name);
-
 } // namespace camwright

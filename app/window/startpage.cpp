@@ -6,6 +6,7 @@
 #include "app/window/recentlist.h"
 #include "editors/shell/icons.h"
 #include "editors/shell/widgets.h"
+#include "editors/words/shipped.h"
 
 #include <QFileInfo>
 #include <QHBoxLayout>

@@ -74,6 +74,7 @@ void addWindowActions(ActionCatalogue& actions)
         {"online.stopAxes", QT_TRANSLATE_NOOP("Actions", "Stop All A&xes"), QT_TRANSLATE_NOOP("Actions", "Stops every axis at once; needs no control."), "stop", "Ctrl+Shift+Space", Online},
 
         {"help.docs", QT_TRANSLATE_NOOP("Actions", "&Documentation"), QT_TRANSLATE_NOOP("Actions", "Shows the pages that come with Camwright."), "help", "F1"},
+        {"help.explain", QT_TRANSLATE_NOOP("Actions", "&Explain This Message"), QT_TRANSLATE_NOOP("Actions", "Shows the page about the selected message: an example and the way out. F1 in the list does the same."), "", "", Editor},
         {"help.about", QT_TRANSLATE_NOOP("Actions", "&About Camwright"), QT_TRANSLATE_NOOP("Actions", "Version and licence."), "info", ""},
     });
 }

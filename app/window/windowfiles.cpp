@@ -3,6 +3,7 @@
 
 #include "app/window/newprojectdialog.h"
 #include "app/window/startpage.h"
+#include "editors/words/shipped.h"
 #include "editors/words/words.h"
 
 #include <QApplication>

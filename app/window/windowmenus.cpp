@@ -7,6 +7,8 @@
 #include "app/window/settingsdialog.h"
 #include "editors/shell/icons.h"
 #include "editors/shell/problemsview.h"
+#include "editors/words/shipped.h"
+#include "editors/words/words.h"
 
 #include <QApplication>
 #include <QLabel>
@@ -22,6 +24,7 @@ void MainWindow::buildMenus()
     ActionCatalogue& actions = m_workspace.actions;
     const auto menu = [&](const QString& title, std::initializer_list<const char*> ids) {
         QMenu* made = menuBar()->addMenu(title);
+        connect(made, &QMenu::aboutToShow, this, &MainWindow::refreshActions); // the selection in a list may have changed since
         for (const char* id : ids) {
             if (!*id)
                 made->addSeparator();
@@ -47,7 +50,7 @@ void MainWindow::buildMenus()
     menu(tr("&Go"), {"go.anything", "go.action", "", "go.back", "go.forward", "", "go.nextTab", "go.previousTab", "go.nextGroup", "go.previousGroup", "", "go.definition", "go.references", "", "go.nextProblem", "go.previousProblem"});
     menu(tr("&Project"), {"project.check", "project.build"});
     menu(tr("&Controller"), {"online.connect", "online.disconnect", "", "online.download", "online.run", "online.stop", "", "online.releaseForces", "online.stopAxes"});
-    menu(tr("&Help"), {"help.docs", "", "help.about"});
+    menu(tr("&Help"), {"help.docs", "help.explain", "", "help.about"});
 
     menuBar()->setFixedHeight(27);
     auto* name = new QLabel(QStringLiteral("Camwright"));
@@ -120,6 +123,7 @@ void MainWindow::connectActions()
         palette->show();
     });
     on("go.action", [this] {
+        refreshActions();
         auto* palette = new Palette(tr("Find Action"), tr("Name of an action"), findableActions(m_workspace.context), frontWindow());
         palette->show();
     });
@@ -164,6 +168,8 @@ void MainWindow::connectActions()
             refreshActions();
         }
     });
+    connect(&m_workspace.context, &Context::explainRequested, this,
+        [this](Code code) { showDocs(words::explanationPath(words::codeId(code))); });
     connect(&m_workspace.connection, &Connection::stateChanged, this, refresh);
     connect(&m_workspace.workbench, &Workbench::busyChanged, this, refresh);
     connect(qApp, &QApplication::focusChanged, this, refresh);
@@ -171,8 +177,14 @@ void MainWindow::connectActions()
 
 void MainWindow::showDocs(const QString& path)
 {
-    auto* viewer = new DocViewer(path, this);
+    auto* viewer = findChild<DocViewer*>();
+    if (!viewer)
+        viewer = new DocViewer(path, this);
+    else if (!path.isEmpty())
+        viewer->showPage(path);
     viewer->show();
+    viewer->raise();
+    viewer->activateWindow();
 }
 
 void MainWindow::about()

@@ -2,6 +2,8 @@
 
 #include "editors/log/logmodel.h"
 #include "editors/shell/context.h"
+#include "editors/shell/explain.h"
+#include "editors/shell/icons.h"
 #include "editors/shell/theme.h"
 #include "editors/shell/widgets.h"
 #include "editors/words/words.h"
@@ -9,6 +11,7 @@
 #include <QClipboard>
 #include <QGuiApplication>
 #include <QHeaderView>
+#include <QMenu>
 #include <QStackedLayout>
 #include <QTableView>
 
@@ -19,7 +22,7 @@ namespace camwright {
 LogPanel::LogPanel(Context& context, QWidget* parent)
     : Panel(context, parent), m_model(new LogModel(this)), m_table(new QTableView(this)), m_layers(new QStackedLayout(this))
 {
-    describe(m_table, "controllerLog", tr("Controller log"), tr("What the controller reported, newest first"));
+    describe(m_table, "controllerLog", tr("Controller log"), tr("What the controller reported, newest first. F1 explains an entry."));
     m_table->setModel(m_model);
     m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
     m_table->setShowGrid(false);
@@ -30,6 +33,11 @@ LogPanel::LogPanel(Context& context, QWidget* parent)
     m_table->setColumnWidth(LogModel::When, 130);
     m_table->setColumnWidth(LogModel::Cycle, 90);
     m_table->setColumnWidth(LogModel::CodeId, 100);
+    m_explain = new Explain(context, m_table, [this](int row) { return std::optional(m_model->entry(row).message.code); });
+    m_explain->setMenu([this](QMenu& menu) {
+        menu.addAction(icon(QStringLiteral("copy")), tr("Copy") + QStringLiteral("\tCtrl+C"), this, &LogPanel::copySelected);
+        menu.addSeparator();
+    });
     m_layers->addWidget(new EmptyState(QStringLiteral("log"), tr("Go online to see what the controller reports."), this));
     m_layers->addWidget(m_table);
 
@@ -79,13 +87,21 @@ void LogPanel::follow()
 
 bool LogPanel::can(const QString& id) const
 {
+    if (id == QLatin1String("help.explain"))
+        return m_explain->can();
     return id == QLatin1String("edit.copy") && m_table->selectionModel()->hasSelection();
 }
 
 void LogPanel::perform(const QString& id)
 {
-    if (id != QLatin1String("edit.copy"))
-        return;
+    if (id == QLatin1String("edit.copy"))
+        copySelected();
+    else if (id == QLatin1String("help.explain"))
+        m_explain->explain();
+}
+
+void LogPanel::copySelected() const
+{
     QStringList lines;
     QModelIndexList rows = m_table->selectionModel()->selectedRows();
     std::ranges::sort(rows, {}, &QModelIndex::row); // as they stand, not as they were picked

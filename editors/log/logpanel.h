@@ -7,6 +7,7 @@ class QTableView;
 
 namespace camwright {
 
+class Explain;
 class LogModel;
 
 /// The controller's log while online: starts and stops, faults, who connected, why an axis was stopped.
@@ -20,12 +21,14 @@ public:
     void perform(const QString& actionId) override;
 
 private:
+    void copySelected() const;
     void follow();
     void leave();
     void forget();
 
     LogModel* m_model;
     QTableView* m_table;
+    Explain* m_explain;
     QStackedLayout* m_layers;
     int m_token = 0;
 };

@@ -100,6 +100,11 @@ void Context::showPanel(const QString& id)
     emit panelRequested(id);
 }
 
+void Context::explain(Code code)
+{
+    emit explainRequested(code);
+}
+
 void Context::select(const Selection& selection)
 {
     if (selection == m_selection)

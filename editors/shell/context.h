@@ -59,6 +59,7 @@ public:
     void preview(const ObjectKey& key);                  ///< a tab that the next preview replaces
     void reveal(const Place& place);                     ///< opens the object and marks the place
     void showPanel(const QString& id);
+    void explain(Code code);                             ///< shows the page about a message
     const Selection& selection() const { return m_selection; }
     void select(const Selection& selection);
 
@@ -88,6 +89,7 @@ signals:
     void openRequested(const camwright::ObjectKey& key, const QString& viewId, bool preview);
     void revealRequested(const camwright::Place& place);
     void panelRequested(const QString& id);
+    void explainRequested(camwright::Code code);
     void outputAdded(const QString& line);
     void notified(camwright::Severity severity, const QString& sentence);
 

@@ -1,6 +1,7 @@
 #include "editors/shell/problemsview.h"
 
 #include "editors/shell/context.h"
+#include "editors/shell/explain.h"
 #include "editors/shell/icons.h"
 #include "editors/shell/widgets.h"
 #include "editors/words/words.h"
@@ -8,6 +9,7 @@
 #include <QApplication>
 #include <QClipboard>
 #include <QHeaderView>
+#include <QMenu>
 #include <QPainter>
 #include <QStackedWidget>
 #include <QStyledItemDelegate>
@@ -55,7 +57,7 @@ ProblemsView::ProblemsView(Context& context, QWidget* parent) : Panel(context, p
 {
     setObjectName(QStringLiteral("problemsView"));
     m_table = new QTableView(this);
-    describe(m_table, "problemsTable", tr("Problems"), tr("What is wrong with the project. Enter goes to the place."));
+    describe(m_table, "problemsTable", tr("Problems"), tr("What is wrong with the project. Enter goes to the place, F1 explains the message."));
     m_table->setModel(&m_model);
     m_table->setItemDelegate(new ProblemDelegate(m_table));
     m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
@@ -74,6 +76,12 @@ ProblemsView::ProblemsView(Context& context, QWidget* parent) : Panel(context, p
     m_table->horizontalHeader()->setHighlightSections(false);
     connect(m_table, &QTableView::activated, this, [this](const QModelIndex& index) { go(index.row()); });
     connect(m_table, &QTableView::doubleClicked, this, [this](const QModelIndex& index) { go(index.row()); });
+    m_explain = new Explain(context, m_table, [this](int row) { return std::optional(m_model.problem(row).code); });
+    m_explain->setMenu([this](QMenu& menu) {
+        menu.addAction(tr("Go to Its Place") + QStringLiteral("\tEnter"), this, [this] { go(m_table->currentIndex().row()); });
+        menu.addAction(icon(QStringLiteral("copy")), tr("Copy") + QStringLiteral("\tCtrl+C"), this, &ProblemsView::copySelected);
+        menu.addSeparator();
+    });
 
     m_pages = new QStackedWidget(this);
     m_pages->addWidget(new EmptyState(QStringLiteral("check"), tr("No problems. Checks run as you type.")));
@@ -115,6 +123,8 @@ void ProblemsView::step(int direction)
 
 bool ProblemsView::can(const QString& actionId) const
 {
+    if (actionId == QLatin1String("help.explain"))
+        return m_explain->can();
     return actionId == QLatin1String("edit.copy") && m_table->selectionModel()->hasSelection();
 }
 
@@ -122,6 +132,8 @@ void ProblemsView::perform(const QString& actionId)
 {
     if (actionId == QLatin1String("edit.copy"))
         copySelected();
+    else if (actionId == QLatin1String("help.explain"))
+        m_explain->explain();
 }
 
 void ProblemsView::copySelected() const

@@ -8,7 +8,9 @@ class QStackedWidget;
 
 namespace camwright {
 
-/// What is wrong with the project: a row a problem; Enter or double-click goes to the place.
+class Explain;
+
+/// What is wrong with the project: a row a problem; Enter or double-click goes to the place, F1 explains the message.
 class ProblemsView : public Panel {
     Q_OBJECT
 public:
@@ -27,6 +29,7 @@ private:
     ProblemsModel m_model;
     QTableView* m_table;
     QStackedWidget* m_pages;
+    Explain* m_explain;
 };
 
 } // namespace camwright

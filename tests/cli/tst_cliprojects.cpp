@@ -130,6 +130,35 @@ private slots:
         QVERIFY(!run.err.isEmpty() || !run.out.isEmpty());
     }
 
+    void explainPrintsThePage()
+    {
+        const CliRun run = m_cli.run({"explain", "cw3001"});
+        QCOMPARE(run.status, 0);
+        QCOMPARE(run.out.toUtf8(), read(QStringLiteral(CAMWRIGHT_SOURCE_DIR "/resources/diagnostics/en/CW3001.md")).trimmed() + '\n');
+    }
+
+    void explainSpeaksTheLanguageAskedFor()
+    {
+        const CliRun run = m_cli.run({"explain", "CW5010", "--lang", "zh", "--json"});
+        QCOMPARE(run.status, 0);
+        const QJsonObject answer = QJsonDocument::fromJson(run.out.toUtf8()).object();
+        QCOMPARE(answer["code"].toString(), QString("CW5010"));
+        QCOMPARE(answer["severity"].toString(), QString("error"));
+        QCOMPARE(answer["language"].toString(), QString("zh"));
+        QVERIFY(answer["text"].toString().contains(QStringLiteral("驱动器报警 %2")));
+        QVERIFY(answer["page"].toString().contains(QStringLiteral("**解决办法。**")));
+    }
+
+    void unknownCodeIsTwoAndNamesANearOne()
+    {
+        const CliRun near = m_cli.run({"explain", "CW30001"});
+        QCOMPARE(near.status, 2);
+        QCOMPARE(near.err, QString("camwright-cli: there is no message 'CW30001'. Did you mean CW3001?\n"));
+        const CliRun far = m_cli.run({"explain", "everything"});
+        QCOMPARE(far.status, 2);
+        QCOMPARE(far.err, QString("camwright-cli: there is no message 'everything'. Codes are written like CW3001.\n"));
+    }
+
     void filesThatCannotBeReadAreThree_data()
     {
         QTest::addColumn<QString>("file");

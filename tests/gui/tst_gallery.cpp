@@ -1,5 +1,6 @@
 // Renders every view to pictures for people to look at, and fails on clipped words and controls without a name.
 #include "app/window/composition.h"
+#include "app/window/docviewer.h"
 #include "app/window/downloaddialog.h"
 #include "app/window/mainwindow.h"
 #include "app/window/newprojectdialog.h"
@@ -230,6 +231,11 @@ private:
         download->show();
         look(*download, "dialog-download");
         download->close();
+        workspace.context.explain(Code::UnterminatedComment);
+        auto* page = window.findChild<DocViewer*>();
+        QVERIFY(page);
+        look(*page, "dialog-explain");
+        page->close();
     }
 
     void look(QWidget& window, const QString& name)
