@@ -6,6 +6,9 @@
 #include "editors/shell/context.h"
 #include "editors/shell/quantityfield.h"
 #include "editors/shell/registry.h"
+#include "editors/shell/theme.h"
+#include "editors/words/words.h"
+#include "tests/editors/fits.h"
 
 #include <QAbstractItemModelTester>
 #include <QComboBox>
@@ -77,6 +80,8 @@ QTreeWidgetItem* root(NetworkEditor& editor)
 class NetworkEditorTest : public QObject {
     Q_OBJECT
 private slots:
+    void initTestCase() { theme().applyToApplication(); }
+
     void addGivesTheDefaultsOfTheManualAndTheNextNumber()
     {
         MotionNetworkDraft draft = MotionNetworkDraft::of(feederProject(), NetworkKey);
@@ -308,18 +313,29 @@ private slots:
         QCOMPARE(bench.document.content<Network>(NetworkKey)->sdoTimeoutMs.value(), 255);
     }
 
+    void threeAxesAreSeenInALowWindowAndAllColumnsInAUsualOne_data()
+    {
+        QTest::addColumn<QString>("language");
+        for (const QString& language : words::languages())
+            QTest::newRow(qPrintable(language)) << language;
+    }
+
     void threeAxesAreSeenInALowWindowAndAllColumnsInAUsualOne()
     {
+        QFETCH(QString, language);
+        QVERIFY(words::setLanguage(*qApp, language));
         Bench bench;
         NetworkEditor editor(bench.context, NetworkKey);
         editor.show();
         click(editor, "addAxis");
-        editor.resize(1200, 480); // with the bottom panel open
+        editor.resize(1204, 480); // with the bottom panel open
         QTest::qWait(1);
         auto* list = child<QTableView>(editor, "axisList");
         QVERIFY(list->viewport()->rect().contains(list->visualRect(list->model()->index(2, 0))));
         QVERIFY(!list->horizontalScrollBar()->isVisible());
         QVERIFY(!list->verticalScrollBar()->isVisible());
+        QVERIFY(savePicture(editor, QStringLiteral("network-low-") + language));
+        QVERIFY(words::setLanguage(*qApp, QStringLiteral("en")));
         QCOMPARE(list->model()->headerData(AxisListModel::InhibitTime, Qt::Horizontal).toString().count('\n'), 1);
     }
 

@@ -4,7 +4,9 @@
 #include "editors/trace/channellist.h"
 #include "editors/trace/scopeplot.h"
 #include "editors/trace/tracepanel.h"
+#include "editors/words/words.h"
 #include "tests/editors/editorbench.h"
+#include "tests/editors/fits.h"
 #include "traceblocks.h"
 
 #include <QComboBox>
@@ -80,6 +82,8 @@ class TracePanelTest : public QObject {
     Q_OBJECT
 
 private slots:
+    void initTestCase() { theme().applyToApplication(); }
+
     void anEmptyPanelSaysHowToRecord()
     {
         Bench bench;
@@ -95,6 +99,32 @@ private slots:
         QVERIFY(bench.emptySentence().isEmpty());
         QVERIFY(bench.panel->plot().isVisible());
         QCOMPARE(bench.visibleCursorLines(), 2);
+    }
+
+    void theWayToRecordFitsInEveryLanguage_data()
+    {
+        QTest::addColumn<QString>("language");
+        QTest::addColumn<bool>("dark");
+        for (const QString& language : words::languages()) {
+            QTest::newRow(qPrintable(language + "-light")) << language << false;
+            QTest::newRow(qPrintable(language + "-dark")) << language << true;
+        }
+    }
+
+    void theWayToRecordFitsInEveryLanguage()
+    {
+        QFETCH(QString, language);
+        QFETCH(bool, dark);
+        QVERIFY(words::setLanguage(*qApp, language));
+        theme().setKind(dark ? Theme::Kind::Dark : Theme::Kind::Light);
+        Bench bench;
+        bench.panel->resize(1204, 215); // as it stands at the bottom of the window
+        QTest::qWait(1);
+        QVERIFY(savePicture(*bench.panel, QStringLiteral("trace-empty-") + QLatin1String(QTest::currentDataTag())));
+        const QStringList cut = cutTexts(*bench.panel);
+        theme().setKind(Theme::Kind::Light);
+        QVERIFY(words::setLanguage(*qApp, QStringLiteral("en")));
+        QVERIFY2(cut.isEmpty(), qPrintable(cut.join(", ")));
     }
 
     void recordsTheChannelsOfTheList()
