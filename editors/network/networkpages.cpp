@@ -180,7 +180,6 @@ QWidget* NetworkEditor::buildListPage()
     m_list->verticalHeader()->hide();
     m_list->verticalHeader()->setDefaultSectionSize(Theme::TableRow);
     m_list->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
-    m_list->horizontalHeader()->setStretchLastSection(true);
     m_list->setShowGrid(false);
     constexpr int RowsAlwaysSeen = 3;
     m_list->setMinimumHeight(m_list->horizontalHeader()->sizeHint().height() + RowsAlwaysSeen * Theme::TableRow + m_list->horizontalScrollBar()->sizeHint().height() + 2 * m_list->frameWidth());
