@@ -1242,6 +1242,10 @@
         <translation>%1: подключение закончено.</translation>
     </message>
     <message>
+        <source>%1 does not belong here. SBR is the first instruction of a program of the role subroutine, RT and RTC stand in one.</source>
+        <translation>%1 здесь не на месте. SBR — первая команда программы с ролью подпрограммы, RT и RTC стоят в такой программе.</translation>
+    </message>
+    <message>
         <source>%1 has control. It is free as soon as they release it or their connection ends.</source>
         <translation>Управление у %1. Оно освободится, как только его отпустят или соединение закончится.</translation>
     </message>
@@ -1252,6 +1256,10 @@
     <message>
         <source>%1 has no effect on the virtual controller: pulse outputs are not simulated yet. On the real controller it runs.</source>
         <translation>%1 не действует на виртуальном контроллере: импульсные выходы пока не моделируются. На настоящем контроллере она работает.</translation>
+    </message>
+    <message>
+        <source>%1 has no letter in front. Write K%1 for a number, or O%1 for an octal address.</source>
+        <translation>Перед %1 нет буквы. Напишите K%1 для числа или O%1 для восьмеричного адреса.</translation>
     </message>
     <message>
         <source>%1 has no operand named %2. Its operands are %3.</source>
@@ -1286,6 +1294,18 @@
         <translation>%1 не годится как %2 для оси «%3».</translation>
     </message>
     <message>
+        <source>%1 is not a communication cycle. It is 1000 to 8000 microseconds, in BCD.</source>
+        <translation>%1 — не цикл связи. Он от 1000 до 8000 микросекунд, в коде BCD.</translation>
+    </message>
+    <message>
+        <source>%1 is not a decimal number, and the operand %2 counts in BCD. Write decimal digits behind the K.</source>
+        <translation>%1 — не десятичное число, а операнд %2 считает в коде BCD. Напишите после K десятичные цифры.</translation>
+    </message>
+    <message>
+        <source>%1 is not a number of stations. A module takes 1 to 15, in BCD.</source>
+        <translation>%1 — не число станций. Модуль берёт от 1 до 15, в коде BCD.</translation>
+    </message>
+    <message>
         <source>%1 is not a subroutine and cannot be called. Change its role to subroutine.</source>
         <translation>%1 не подпрограмма, её нельзя вызвать. Смените её роль на подпрограмму.</translation>
     </message>
@@ -1310,6 +1330,10 @@
         <translation>%1 ведёт запись. Регистратор один; он освободится, когда запись остановят.</translation>
     </message>
     <message>
+        <source>%1 is set to %2, and the operand %3 of %4 takes %5 to %6.</source>
+        <translation>В %1 записывается %2, а операнд %3 команды %4 принимает от %5 до %6.</translation>
+    </message>
+    <message>
         <source>%1 is the coil of two rungs. Only the last one counts in each scan.</source>
         <translation>%1 — катушка двух цепей. В каждом цикле действует только последняя.</translation>
     </message>
@@ -1324,6 +1348,14 @@
     <message>
         <source>%1 lacks the operand %2. It is written %3.</source>
         <translation>У %1 нет операнда %2. Пишется так: %3.</translation>
+    </message>
+    <message>
+        <source>%1 lies in the registers %2 to %3 that the module in slot %4 uses. Take other registers.</source>
+        <translation>%1 лежит в регистрах с %2 по %3, которые использует модуль в слоте %4. Возьмите другие регистры.</translation>
+    </message>
+    <message>
+        <source>%1 lies in the work area of %2, which begins at %3. Nothing else may use it.</source>
+        <translation>%1 лежит в рабочей области команды %2, которая начинается с %3. Ничто другое не может её использовать.</translation>
     </message>
     <message>
         <source>%1 may occur %2 times in a project. This one is too many.</source>
@@ -1352,6 +1384,10 @@
     <message>
         <source>%1 sent something that is no message of the online protocol: %2. The connection was closed.</source>
         <translation>%1 прислал не сообщение протокола связи: %2. Соединение закрыто.</translation>
+    </message>
+    <message>
+        <source>%1 takes %2 flows, and fewer are open here. Begin each of them with STR.</source>
+        <translation>%1 берёт потоков: %2, здесь открыто меньше. Начните каждый из них с STR.</translation>
     </message>
     <message>
         <source>%1 takes %2 operands, here are %3. It is written %4.</source>
@@ -1384,6 +1420,10 @@
     <message>
         <source>A piece of the download came for byte %1, but byte %2 is next. The download was dropped; the old program is untouched.</source>
         <translation>Часть загрузки пришла для байта %1, а ожидался байт %2. Загрузка отброшена; старая программа не тронута.</translation>
+    </message>
+    <message>
+        <source>A program cannot send the command %1h: the module generates INTERPOLATE (34h) itself, and does not support 1Bh, 38h, 3Eh and 3Fh.</source>
+        <translation>Программа не может послать команду %1h: INTERPOLATE (34h) модуль создаёт сам, а 1Bh, 38h, 3Eh и 3Fh не поддерживает.</translation>
     </message>
     <message>
         <source>A program is taken only in STOP. Stop the controller first.</source>
@@ -1480,6 +1520,10 @@
     <message>
         <source>Axis &quot;%1&quot;: the drive reports alarm %2. Remove its cause, then reset the axis.</source>
         <translation>Ось «%1»: привод сообщает об аварии %2. Устраните причину и сбросьте ось.</translation>
+    </message>
+    <message>
+        <source>Axis 1 and axis 2 of %1 are taken from the same register %2. Two axes are needed.</source>
+        <translation>Ось 1 и ось 2 команды %1 берутся из одного регистра %2. Нужны две оси.</translation>
     </message>
     <message>
         <source>Axis node %1 does not answer (object %2). Check its supply, the cable, its node number and the baud rate.</source>
@@ -1622,6 +1666,10 @@
         <translation>Комментарий, начатый здесь, не закрыт до конца программы. Закончите его знаками *).</translation>
     </message>
     <message>
+        <source>The communication cycle of %1 microseconds is too short for %2 stations. It must be longer than %3.</source>
+        <translation>Цикл связи %1 мкс слишком короток для станций: %2. Он должен быть больше %3.</translation>
+    </message>
+    <message>
         <source>The connection of %1 was closed: %2.</source>
         <translation>Соединение %1 закрыто: %2.</translation>
     </message>
@@ -1718,8 +1766,16 @@
         <translation>Последнее сохранение было прервано; теперь оно завершено.</translation>
     </message>
     <message>
+        <source>The loop that begins with this FOR has no NEXT.</source>
+        <translation>У цикла, который начинается с этой FOR, нет NEXT.</translation>
+    </message>
+    <message>
         <source>The lower limit switch at %1 is not below the upper one at %2.</source>
         <translation>Нижний концевой выключатель %1 не ниже верхнего %2.</translation>
+    </message>
+    <message>
+        <source>The module in slot %1 uses 496 words from %2 on, and they do not fit into the memory there.</source>
+        <translation>Модуль в слоте %1 использует 496 слов начиная с %2, и они там не помещаются в память.</translation>
     </message>
     <message>
         <source>The name &quot;%1&quot; is already in use; upper and lower case count as equal.</source>
@@ -1756,6 +1812,10 @@
     <message>
         <source>The operand %2 of %3 is a timer, %1 is not. Write it like T0.</source>
         <translation>Операнд %2 инструкции %3 — таймер, а %1 — нет. Пишите так: T0.</translation>
+    </message>
+    <message>
+        <source>The operands %1 and %2 of %3 share %4. Give each of them registers of its own.</source>
+        <translation>Операнды %1 и %2 команды %3 делят %4. Дайте каждому собственные регистры.</translation>
     </message>
     <message>
         <source>The operands %1 of %2 are all constants or all memory. Here they are mixed.</source>
@@ -1874,6 +1934,10 @@
         <translation>Записанные сохраняемые значения использовать нельзя: %1. Они получают начальные значения.</translation>
     </message>
     <message>
+        <source>The subroutine number %1 is already that of %2. Give each subroutine a number of its own.</source>
+        <translation>Номер подпрограммы %1 уже занят программой %2. Дайте каждой подпрограмме собственный номер.</translation>
+    </message>
+    <message>
         <source>The supply was switched off and on.</source>
         <translation>Питание было отключено и включено.</translation>
     </message>
@@ -1920,6 +1984,10 @@
     <message>
         <source>There is a character that cannot be seen here: %1. Remove it.</source>
         <translation>Здесь невидимый символ: %1. Удалите его.</translation>
+    </message>
+    <message>
+        <source>There is no FOR that this NEXT could end.</source>
+        <translation>Нет FOR, которую могла бы закончить эта NEXT.</translation>
     </message>
     <message>
         <source>There is no axis %1 in the motion network. The instruction will end with ERRID 1.</source>
@@ -4615,6 +4683,10 @@
         <translation>Обучение</translation>
     </message>
     <message>
+        <source>Logic of the DL205 in instruction list; I-boxes are checked only.</source>
+        <translation>Логика DL205 на списке команд; блоки I-box только проверяются.</translation>
+    </message>
+    <message>
         <source>Logic of the TS600 in instruction list, with its timers and counters.</source>
         <translation>Логика TS600 в списке инструкций, с таймерами и счётчиками.</translation>
     </message>
@@ -4661,10 +4733,6 @@
     <message>
         <source>Run</source>
         <translation>Пуск</translation>
-    </message>
-    <message>
-        <source>Sigma-V servos on a DL205 base, 15 per module.</source>
-        <translation>Сервоприводы Sigma-V на базе DL205, по 15 на модуль.</translation>
     </message>
     <message>
         <source>Soft controller</source>

@@ -1240,6 +1240,10 @@
         <translation>%1 已断开。</translation>
     </message>
     <message>
+        <source>%1 does not belong here. SBR is the first instruction of a program of the role subroutine, RT and RTC stand in one.</source>
+        <translation>%1 不应在此处。SBR 是子程序角色的程序的第一条指令，RT 和 RTC 只能用在子程序中。</translation>
+    </message>
+    <message>
         <source>%1 has control. It is free as soon as they release it or their connection ends.</source>
         <translation>控制权在 %1 手中。对方释放控制权或其连接结束后即可取得。</translation>
     </message>
@@ -1250,6 +1254,10 @@
     <message>
         <source>%1 has no effect on the virtual controller: pulse outputs are not simulated yet. On the real controller it runs.</source>
         <translation>%1 在虚拟控制器上不起作用：尚未仿真脉冲输出。在真实控制器上可以运行。</translation>
+    </message>
+    <message>
+        <source>%1 has no letter in front. Write K%1 for a number, or O%1 for an octal address.</source>
+        <translation>%1 前面没有字母。数值写作 K%1，八进制地址写作 O%1。</translation>
     </message>
     <message>
         <source>%1 has no operand named %2. Its operands are %3.</source>
@@ -1284,6 +1292,18 @@
         <translation>%1 不能用作轴“%3”的 %2。</translation>
     </message>
     <message>
+        <source>%1 is not a communication cycle. It is 1000 to 8000 microseconds, in BCD.</source>
+        <translation>%1 不是有效的通讯周期。范围为 1000～8000 微秒，以 BCD 表示。</translation>
+    </message>
+    <message>
+        <source>%1 is not a decimal number, and the operand %2 counts in BCD. Write decimal digits behind the K.</source>
+        <translation>%1 不是十进制数，而操作数 %2 以 BCD 计数。K 之后请写十进制数字。</translation>
+    </message>
+    <message>
+        <source>%1 is not a number of stations. A module takes 1 to 15, in BCD.</source>
+        <translation>%1 不是有效的局数。一个模块可接 1～15 局，以 BCD 表示。</translation>
+    </message>
+    <message>
         <source>%1 is not a subroutine and cannot be called. Change its role to subroutine.</source>
         <translation>%1 不是子程序，不能调用。将其角色改为子程序。</translation>
     </message>
@@ -1308,6 +1328,10 @@
         <translation>%1 正在记录跟踪。记录器只有一个；对方停止后即可使用。</translation>
     </message>
     <message>
+        <source>%1 is set to %2, and the operand %3 of %4 takes %5 to %6.</source>
+        <translation>%1 被设为 %2，而 %4 的操作数 %3 范围为 %5～%6。</translation>
+    </message>
+    <message>
         <source>%1 is the coil of two rungs. Only the last one counts in each scan.</source>
         <translation>%1 是两个梯级的线圈。每次扫描中只有最后一个有效。</translation>
     </message>
@@ -1322,6 +1346,14 @@
     <message>
         <source>%1 lacks the operand %2. It is written %3.</source>
         <translation>%1 缺少操作数 %2。写法：%3。</translation>
+    </message>
+    <message>
+        <source>%1 lies in the registers %2 to %3 that the module in slot %4 uses. Take other registers.</source>
+        <translation>%1 位于槽位 %4 的模块所用的寄存器 %2～%3 内。请使用其他寄存器。</translation>
+    </message>
+    <message>
+        <source>%1 lies in the work area of %2, which begins at %3. Nothing else may use it.</source>
+        <translation>%1 位于 %2 的缓存区内（起始于 %3），该区域不得用于其他用途。</translation>
     </message>
     <message>
         <source>%1 may occur %2 times in a project. This one is too many.</source>
@@ -1350,6 +1382,10 @@
     <message>
         <source>%1 sent something that is no message of the online protocol: %2. The connection was closed.</source>
         <translation>%1 发来的内容不是在线协议的报文：%2。连接已关闭。</translation>
+    </message>
+    <message>
+        <source>%1 takes %2 flows, and fewer are open here. Begin each of them with STR.</source>
+        <translation>%1 需要 %2 个能流，此处不足。每个能流都以 STR 开始。</translation>
     </message>
     <message>
         <source>%1 takes %2 operands, here are %3. It is written %4.</source>
@@ -1382,6 +1418,10 @@
     <message>
         <source>A piece of the download came for byte %1, but byte %2 is next. The download was dropped; the old program is untouched.</source>
         <translation>收到的下载片段属于字节 %1，而应为字节 %2。下载已放弃；旧程序未受影响。</translation>
+    </message>
+    <message>
+        <source>A program cannot send the command %1h: the module generates INTERPOLATE (34h) itself, and does not support 1Bh, 38h, 3Eh and 3Fh.</source>
+        <translation>程序不能发送命令 %1h：INTERPOLATE（34h）由模块自行生成，1Bh、38h、3Eh 和 3Fh 不受支持。</translation>
     </message>
     <message>
         <source>A program is taken only in STOP. Stop the controller first.</source>
@@ -1478,6 +1518,10 @@
     <message>
         <source>Axis &quot;%1&quot;: the drive reports alarm %2. Remove its cause, then reset the axis.</source>
         <translation>轴“%1”：驱动器报警 %2。排除原因后复位该轴。</translation>
+    </message>
+    <message>
+        <source>Axis 1 and axis 2 of %1 are taken from the same register %2. Two axes are needed.</source>
+        <translation>%1 的轴 1 和轴 2 取自同一寄存器 %2。需要两个不同的轴。</translation>
     </message>
     <message>
         <source>Axis node %1 does not answer (object %2). Check its supply, the cable, its node number and the baud rate.</source>
@@ -1620,6 +1664,10 @@
         <translation>此处开始的注释到程序结束仍未结束。用 *) 结束它。</translation>
     </message>
     <message>
+        <source>The communication cycle of %1 microseconds is too short for %2 stations. It must be longer than %3.</source>
+        <translation>通讯周期 %1 微秒对 %2 局来说过短，必须大于 %3。</translation>
+    </message>
+    <message>
         <source>The connection of %1 was closed: %2.</source>
         <translation>%1 的连接已关闭：%2。</translation>
     </message>
@@ -1716,8 +1764,16 @@
         <translation>上次保存曾被中断，现已完成。</translation>
     </message>
     <message>
+        <source>The loop that begins with this FOR has no NEXT.</source>
+        <translation>以此 FOR 开始的循环没有 NEXT。</translation>
+    </message>
+    <message>
         <source>The lower limit switch at %1 is not below the upper one at %2.</source>
         <translation>下限位开关 %1 不低于上限位开关 %2。</translation>
+    </message>
+    <message>
+        <source>The module in slot %1 uses 496 words from %2 on, and they do not fit into the memory there.</source>
+        <translation>槽位 %1 的模块从 %2 起占用 496 个字，此处存储器放不下。</translation>
     </message>
     <message>
         <source>The name &quot;%1&quot; is already in use; upper and lower case count as equal.</source>
@@ -1754,6 +1810,10 @@
     <message>
         <source>The operand %2 of %3 is a timer, %1 is not. Write it like T0.</source>
         <translation>%3 的操作数 %2 须为定时器，而 %1 不是。写法示例：T0。</translation>
+    </message>
+    <message>
+        <source>The operands %1 and %2 of %3 share %4. Give each of them registers of its own.</source>
+        <translation>%3 的操作数 %1 与 %2 共用 %4。请为它们分别指定寄存器。</translation>
     </message>
     <message>
         <source>The operands %1 of %2 are all constants or all memory. Here they are mixed.</source>
@@ -1872,6 +1932,10 @@
         <translation>存储的断电保持值无法使用：%1。以初始值开始。</translation>
     </message>
     <message>
+        <source>The subroutine number %1 is already that of %2. Give each subroutine a number of its own.</source>
+        <translation>子程序编号 %1 已被 %2 使用。请为每个子程序指定不同的编号。</translation>
+    </message>
+    <message>
         <source>The supply was switched off and on.</source>
         <translation>电源曾断开后重新接通。</translation>
     </message>
@@ -1918,6 +1982,10 @@
     <message>
         <source>There is a character that cannot be seen here: %1. Remove it.</source>
         <translation>此处有一个不可见字符：%1。删除它。</translation>
+    </message>
+    <message>
+        <source>There is no FOR that this NEXT could end.</source>
+        <translation>没有与此 NEXT 对应的 FOR。</translation>
     </message>
     <message>
         <source>There is no axis %1 in the motion network. The instruction will end with ERRID 1.</source>
@@ -4593,6 +4661,10 @@
         <translation>学习</translation>
     </message>
     <message>
+        <source>Logic of the DL205 in instruction list; I-boxes are checked only.</source>
+        <translation>用指令表编写 DL205 逻辑；I-box 仅做检查。</translation>
+    </message>
+    <message>
         <source>Logic of the TS600 in instruction list, with its timers and counters.</source>
         <translation>TS600 的指令表逻辑，带定时器和计数器。</translation>
     </message>
@@ -4639,10 +4711,6 @@
     <message>
         <source>Run</source>
         <translation>运行</translation>
-    </message>
-    <message>
-        <source>Sigma-V servos on a DL205 base, 15 per module.</source>
-        <translation>DL205 机架上的 Sigma-V 伺服，每个模块 15 个。</translation>
     </message>
     <message>
         <source>Soft controller</source>

@@ -230,7 +230,7 @@ int runNew(Invocation& call)
 
 void addNewOptions(QCommandLineParser& options)
 {
-    options.addOption({QStringLiteral("family"), QStringLiteral("Controller family: kinco, invt."), QStringLiteral("FAMILY"), QStringLiteral("kinco")});
+    options.addOption({QStringLiteral("family"), QStringLiteral("Controller family: kinco, invt, koyo."), QStringLiteral("FAMILY"), QStringLiteral("kinco")});
     options.addOption({QStringLiteral("model"), QStringLiteral("Controller model; the family's first without it."), QStringLiteral("MODEL")});
     options.addOption({QStringLiteral("name"), QStringLiteral("Name of the project; the folder's without it."), QStringLiteral("NAME")});
 }

@@ -203,7 +203,8 @@ QWidget* StartPage::familyCards()
         &QAbstractButton::clicked, this, [this] { emit newRequested(QStringLiteral("kinco")); });
     connect(card("family-invt", QStringLiteral("INVT TS600"), tr("Logic of the TS600 in instruction list, with its timers and counters."), tr("Virtual terminals"), "terminals"),
         &QAbstractButton::clicked, this, [this] { emit newRequested(QStringLiteral("invt")); });
-    card("family-koyo", QStringLiteral("Koyo D2-MLINK"), tr("Sigma-V servos on a DL205 base, 15 per module."), {})->setMissing(tr("Not in this version."));
+    connect(card("family-koyo", QStringLiteral("Koyo D2-MLINK"), tr("Logic of the DL205 in instruction list; I-boxes are checked only."), tr("Virtual terminals"), "terminals"),
+        &QAbstractButton::clicked, this, [this] { emit newRequested(QStringLiteral("koyo")); });
     card("family-soft", tr("Soft controller"), tr("Camwright's own controller on this or another PC."), {})->setMissing(tr("Not in this version."));
     row->addStretch();
     return out;

@@ -19,13 +19,14 @@ std::span<const DataType> offeredTypes(const Family& family)
 {
     static constexpr DataType Kinco[] = {DataType::Bool, DataType::Byte, DataType::Int, DataType::Word, DataType::Dint, DataType::Dword, DataType::Real};
     static constexpr DataType Invt[] = {DataType::Bool, DataType::Int, DataType::Dint, DataType::Word, DataType::Dword, DataType::Real};
-    return family.id() == "kinco" ? std::span<const DataType>(Kinco) : std::span<const DataType>(Invt);
+    static constexpr DataType Koyo[] = {DataType::Bool, DataType::Word, DataType::Dword, DataType::Int, DataType::Dint, DataType::Real};
+    return family.id() == "kinco" ? std::span<const DataType>(Kinco) : family.id() == "koyo" ? std::span<const DataType>(Koyo) : std::span<const DataType>(Invt);
 }
 
-/// A Kinco variable is a name for an address (KS-MEM-06); TS600 places variables itself (TS-VAR-04).
+/// A Kinco or Koyo variable is a name for an address (KS-MEM-06); TS600 places variables itself (TS-VAR-04).
 bool needsAddresses(const Family& family)
 {
-    return family.id() == "kinco";
+    return family.id() != "invt";
 }
 
 std::string typeNames(std::span<const DataType> types)

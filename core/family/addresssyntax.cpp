@@ -19,6 +19,11 @@ std::size_t characterLength(char first)
 
 } // namespace
 
+std::uint32_t AddressSyntax::endOf(const Address&, std::uint32_t areaBytes) const
+{
+    return areaBytes;
+}
+
 std::optional<Diagnostic> AddressScanner::foreignCharacter() const
 {
     for (std::size_t i = 0; i < m_text.size(); ++i) {

@@ -19,10 +19,17 @@ public:
     virtual std::string format(const MemoryArea& area, const Address& address) const = 0;
     /// Types the place may be used as, by its area and (Kinco) the size it was written with.
     virtual TypeSet types(const MemoryArea& area, const Address& address) const = 0;
+    /// Byte behind the last one that a value beginning at the address may take; its area ends at `areaBytes`.
+    virtual std::uint32_t endOf(const Address& address, std::uint32_t areaBytes) const;
+    /// Whether the name of a timer's or counter's value, where a bit is wanted, means its bit.
+    virtual bool valuesNameBits() const { return true; }
+    /// Type of a 16-bit timer or counter value: a signed number, or a word of BCD digits.
+    virtual DataType elementValueType() const { return DataType::Int; }
 };
 
 const AddressSyntax& kincoAddressSyntax();
 const AddressSyntax& invtAddressSyntax();
+const AddressSyntax& koyoAddressSyntax();
 
 /// Reads the pieces of an address from the left and makes located errors about them.
 class AddressScanner {

@@ -65,7 +65,7 @@ std::string Family::formatAddress(const Address& address) const
 
 Result<Address> Family::withType(const Address& address, DataType type, const ControllerModel& model) const
 {
-    if (type == DataType::Bool && !address.isBit) {
+    if (type == DataType::Bool && !address.isBit && m_data->syntax->valuesNameBits()) {
         if (const auto bit = bitOf(address))
             return *bit;
     }
@@ -94,7 +94,7 @@ std::optional<Address> Family::valueOf(const Address& address) const
         return std::nullopt;
     const auto values = std::ranges::find(m_data->areas, timer ? AreaKind::TimerValues : AreaKind::CounterValues, &MemoryArea::kind);
     const std::uint32_t number = elementNumber(address);
-    const DataType type = !timer && counterIs32Bit(number) ? DataType::Dint : DataType::Int;
+    const DataType type = !timer && counterIs32Bit(number) ? DataType::Dint : m_data->syntax->elementValueType();
     return valueAddress(values->id, number * values->elementBytes, type);
 }
 
@@ -107,12 +107,14 @@ std::optional<Address> Family::bitOf(const Address& address) const
     if (!timer && values.kind != AreaKind::CounterValues)
         return std::nullopt;
     const auto bits = std::ranges::find(m_data->areas, timer ? AreaKind::TimerBits : AreaKind::CounterBits, &MemoryArea::kind);
-    return bitAddress(bits->id, elementNumber(address) * bits->elementBytes);
+    const std::uint32_t number = elementNumber(address);
+    return bits->isPacked() ? bitAddress(bits->id, number / 8, number % 8) : bitAddress(bits->id, number * bits->elementBytes);
 }
 
 std::uint32_t Family::elementNumber(const Address& address) const
 {
-    return address.byte / area(address.area).elementBytes;
+    const MemoryArea& place = area(address.area);
+    return place.isPacked() && address.isBit ? address.byte * 8 + address.bit : address.byte / place.elementBytes;
 }
 
 const Text& Family::meaningOf(const Address& address) const
@@ -126,13 +128,13 @@ bool Family::isWritable(const Address& address) const
     if (address.area >= m_data->areas.size())
         return true;
     const MemoryArea& place = area(address.area);
-    const std::uint32_t last = (address.byte + byteWidth(address.type) - 1) / place.elementBytes;
+    const std::uint32_t last = place.isPacked() ? elementNumber(address) : (address.byte + byteWidth(address.type) - 1) / place.elementBytes;
     return place.writable && elementNumber(address) >= place.writableFirst && last <= place.writableLast;
 }
 
 bool Family::blockFits(const Address& address, std::uint64_t bytes, const ControllerModel& model) const
 {
-    return address.byte + bytes <= model.area(address.area).bytes;
+    return address.byte + bytes <= m_data->syntax->endOf(address, model.area(address.area).bytes);
 }
 
 Time Family::timerBase(std::uint32_t timer) const
@@ -194,7 +196,8 @@ std::span<const Family* const> families()
 {
     static const std::unique_ptr<const Family> kinco = embeddedFamily("kinco");
     static const std::unique_ptr<const Family> invt = embeddedFamily("invt");
-    static const std::array<const Family*, 2> all{kinco.get(), invt.get()};
+    static const std::unique_ptr<const Family> koyo = embeddedFamily("koyo");
+    static const std::array<const Family*, 3> all{kinco.get(), invt.get(), koyo.get()};
     return all;
 }
 

@@ -32,12 +32,15 @@ struct MemoryArea {
     AreaKind kind = AreaKind::Bytes;
     unsigned elementBytes = 1;         ///< bytes from one number to the next
     std::string sizeLetters;           ///< Bytes: the forms allowed, of "XBWDR" (X = bit)
-    bool octal = false;                ///< numbers are octal (TS600 X and Y)
+    bool octal = false;                ///< numbers are octal (TS600 X and Y, all of Koyo)
     bool readable = true, writable = true; ///< by the user's program; where only a part is writable see Family::isWritable
     std::uint32_t writableFirst = 0, writableLast = 0xFFFFFFFF; ///< elements the program may write, where `writable`
     bool local = false;                ///< belongs to the program block that is running (L; LM and V)
     bool isInput = false, isOutput = false; ///< terminals: set by the panel of inputs, driven to the outputs
     Text meaning;
+
+    /// Elements that are a bit, eight in a byte, numbered through in octal (Koyo X17 is bit 7 of byte 1).
+    bool isPacked() const { return octal && sizeLetters == "X"; }
 };
 
 /// Size of an area on one model.

@@ -25,6 +25,9 @@ constexpr std::pair<std::string_view, AreaKind> AreaKinds[] = {{"bytes", AreaKin
     {"words", AreaKind::Words}, {"timer_bits", AreaKind::TimerBits}, {"timer_values", AreaKind::TimerValues},
     {"counter_bits", AreaKind::CounterBits}, {"counter_values", AreaKind::CounterValues}};
 
+const std::pair<std::string_view, const AddressSyntax*> AddressSyntaxes[] = {{"kinco", &kincoAddressSyntax()},
+    {"invt", &invtAddressSyntax()}, {"koyo", &koyoAddressSyntax()}};
+
 enum class CellType : std::uint8_t { Signed, Unsigned, Real };
 constexpr std::pair<std::string_view, CellType> CellTypes[] = {{"real", CellType::Real}, {"signed", CellType::Signed}, {"unsigned", CellType::Unsigned}};
 
@@ -87,7 +90,7 @@ private:
         else if (key == "catalogue_format")
             row.integer("value", CatalogueFormatVersion, CatalogueFormatVersion);
         else if (key == "addresses")
-            m_out.syntax = row.text("value") == "kinco" ? &kincoAddressSyntax() : &invtAddressSyntax();
+            m_out.syntax = row.choice<const AddressSyntax*>("value", AddressSyntaxes);
         else
             row.illegal("key", "a known setting");
     }

@@ -2,6 +2,7 @@
 
 #include "core/family/invt/invtareas.h"
 #include "core/family/kinco/kincoareas.h"
+#include "core/family/koyo/koyoareas.h"
 
 #include <array>
 
@@ -34,6 +35,19 @@ void writeInvt(Memory& memory, const ScanMoment& moment)
     set(15, moment.toggle);
 }
 
+constexpr std::array<Clock, 4> kKoyoClocks{{{koyo::Minute, 60s}, {koyo::Second, 1s}, {koyo::Tenth, 100ms}, {koyo::Twentieth, 50ms}}};
+
+void writeKoyo(Memory& memory, const ScanMoment& moment)
+{
+    const auto set = [&](std::uint32_t relay, bool on) { memory.write(bitAddress(koyo::SP, relay / 8, relay % 8), Value::ofBool(on)); };
+    set(koyo::FirstScan, moment.running && moment.firstScan);
+    set(koyo::AlwaysOn, true);
+    set(koyo::AlwaysOff, false);
+    for (const Clock& clock : kKoyoClocks)
+        set(clock.flag, moment.running && moment.now % clock.period < clock.period / 2);
+    set(koyo::Alternate, moment.toggle);
+}
+
 } // namespace
 
 void writeSystemBits(std::string_view family, Memory& memory, const ScanMoment& moment)
@@ -42,6 +56,8 @@ void writeSystemBits(std::string_view family, Memory& memory, const ScanMoment& 
         writeKinco(memory, moment);
     else if (family == "invt")
         writeInvt(memory, moment);
+    else if (family == "koyo")
+        writeKoyo(memory, moment);
 }
 
 } // namespace camwright

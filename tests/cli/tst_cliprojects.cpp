@@ -208,6 +208,7 @@ private slots:
         QTest::addColumn<QString>("family");
         QTest::newRow("kinco") << "kinco";
         QTest::newRow("invt") << "invt";
+        QTest::newRow("koyo") << "koyo";
     }
     void aNewProjectChecksClean()
     {

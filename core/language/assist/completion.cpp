@@ -100,7 +100,7 @@ private:
         const Family& family = *m_context.family;
         for (const AreaId id : pin.areas) {
             const MemoryArea& area = family.area(id);
-            if (area.kind != AreaKind::Bytes) {
+            if (area.kind != AreaKind::Bytes || area.isPacked()) {
                 if (area.kind != AreaKind::TimerValues && area.kind != AreaKind::CounterValues && fits(pin, area.name + "0"))
                     add({CompletionKind::Area, area.name, {}, area.meaning.in(m_language)});
                 continue;

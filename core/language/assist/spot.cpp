@@ -1,5 +1,6 @@
 #include "core/language/assist/spot.h"
 
+#include "core/language/source/koyodialect.h"
 #include "core/language/source/letters.h"
 
 #include <algorithm>
@@ -38,6 +39,12 @@ const Pin* pinNamed(const Instruction& instruction, std::string_view name)
         if (upperCase(pin.name) == upperCase(name))
             return &pin;
     return nullptr;
+}
+
+const Instruction* instructionOf(const LanguageContext& context, std::string_view mnemonic)
+{
+    const bool hasSynonyms = context.dialect->id == DialectId::KoyoIl;
+    return context.family->catalogue().find(hasSynonyms ? koyoCatalogueName(mnemonic) : std::string(mnemonic));
 }
 
 /// Which pin an operand at `column` belongs to.
@@ -101,7 +108,7 @@ Spot spotAt(const LanguageContext& context, std::string_view text, std::size_t o
     if (tokens.empty() && line.state == LineState::Comment)
         out.isComment = true;
     if (mnemonic)
-        out.instruction = context.family->catalogue().find(line.text.substr(mnemonic->column, mnemonic->length));
+        out.instruction = instructionOf(context, line.text.substr(mnemonic->column, mnemonic->length));
     out.isMnemonic = !out.isComment && (mnemonic ? column >= mnemonic->column && column <= mnemonic->column + mnemonic->length : !codeBefore);
     if (out.instruction && !out.isMnemonic && !out.isComment && column > mnemonic->column)
         out.pin = out.kind == TokenKind::Pin ? pinNamed(*out.instruction, out.word) : pinAt(*context.dialect, *out.instruction, line.text, tokens, column);

@@ -1,6 +1,7 @@
 #include "core/language/check/checksources.h"
 
 #include "core/language/check/checkprogram.h"
+#include "core/language/check/koyorules.h"
 #include "core/language/check/projectrules.h"
 #include "core/language/source/ilparser.h"
 
@@ -37,6 +38,7 @@ CheckedSources checkSources(std::span<const ProgramSource> sources, const Langua
             checked.push_back(std::move(*program));
     }
     out.size = checkTogether(resolved, context, diagnostics);
+    checkKoyoTogether(resolved, context, diagnostics);
     for (std::size_t i = 0; i < sources.size(); ++i) {
         sortByPlace(diagnostics[i], sources[i].key);
         out.diagnostics.insert(out.diagnostics.end(), diagnostics[i].begin(), diagnostics[i].end());

@@ -1,5 +1,7 @@
 #include "core/language/check/context.h"
 
+#include "core/language/source/koyodialect.h"
+
 namespace camwright {
 
 namespace {
@@ -80,6 +82,14 @@ const KnownProgram* LanguageContext::findProgram(std::string_view name) const
     return nullptr;
 }
 
+const KnownProgram* LanguageContext::findSubroutine(std::string_view number) const
+{
+    for (const KnownProgram& program : programs)
+        if (!program.number.empty() && program.number == number)
+            return &program;
+    return nullptr;
+}
+
 const KnownAxis* LanguageContext::findAxis(std::uint32_t number) const
 {
     for (const KnownAxis& axis : axes)
@@ -122,7 +132,8 @@ std::optional<LanguageContext> contextOf(const Project& project)
     }
     for (const ObjectPtr& object : project.objects(ObjectKind::Program))
         if (const auto* program = std::get_if<Program>(&object->content))
-            out.programs.push_back({object->key.name, program->role});
+            out.programs.push_back({object->key.name, program->role,
+                out.dialect->id == DialectId::KoyoIl && program->role == ProgramRole::Subroutine ? subroutineNumber(program->source) : std::string()});
     addVariables(out, project);
     out.index();
     return out;

@@ -31,6 +31,7 @@ struct KnownAxis {
 struct KnownProgram {
     std::string name;
     ProgramRole role = ProgramRole::Main;
+    std::string number{}; ///< Koyo: "K3", as the SBR at its beginning says; empty if there is none
 };
 
 /// What a program is read against: its family, and what else the project has. A value; made for one snapshot.
@@ -46,6 +47,8 @@ struct LanguageContext {
 
     const KnownVariable* findVariable(std::string_view name) const;
     const KnownProgram* findProgram(std::string_view name) const;
+    /// Koyo: the subroutine with this number ("K3"); of several the first.
+    const KnownProgram* findSubroutine(std::string_view number) const;
     const KnownAxis* findAxis(std::uint32_t number) const;
     const KnownAxis* findAxis(std::string_view name) const;
     /// The variable whose address begins at the same place and is as wide: it forces its type onto it (KS-MEM-06).

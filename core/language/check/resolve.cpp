@@ -1,5 +1,6 @@
 #include "core/language/check/resolvedprogram.h"
 
+#include "core/language/source/koyodialect.h"
 #include "core/language/source/letters.h"
 #include "core/language/source/operandtext.h"
 
@@ -19,6 +20,9 @@ constexpr Misprint Misprints[] = {
     {"kinco", "LDI", "LDN"}, {"kinco", "ANI", "ANDN"}, {"kinco", "ORI", "ORN"}, {"kinco", "OUT", "ST"}, {"kinco", "MOV", "MOVE"},
     {"kinco", "SET", "S"}, {"kinco", "RST", "R"}, {"kinco", "EU", "R_TRIG"}, {"kinco", "ED", "F_TRIG"},
     {"invt", "LDN", "LDI"}, {"invt", "ANDN", "ANI"}, {"invt", "ORN", "ORI"}, {"invt", "ST", "OUT"}, {"invt", "MOVE", "MOV"},
+    {"koyo", "LDN", "STRN"}, {"koyo", "STRNOT", "STRN"}, {"koyo", "ANDNOT", "ANDN"}, {"koyo", "ORNOT", "ORN"}, {"koyo", "ANB", "ANDSTR"},
+    {"koyo", "ORB", "ORSTR"}, {"koyo", "RES", "RST"}, {"koyo", "CALL", "GTS"}, {"koyo", "CAL", "GTS"}, {"koyo", "ST", "OUT"},
+    {"koyo", "TON", "TMR"}, {"koyo", "CTU", "CNT"}, {"koyo", "CTUD", "UDC"}, {"koyo", "MOV", "LD"}, {"koyo", "RET", "RT"},
     {"invt", "CAL", "CALL"}, {"invt", "S", "SET"}, {"invt", "R", "RST"},
 };
 
@@ -52,7 +56,8 @@ private:
             out.isComplete = false;
             return out;
         }
-        out.instruction = m_family.catalogue().find(statement.mnemonic);
+        out.instruction = m_family.catalogue().find(m_context.dialect->id == DialectId::KoyoIl
+            ? koyoCatalogueName(statement.mnemonic, statement.role, statement.form) : statement.mnemonic);
         if (!out.instruction) {
             unknownInstruction(statement);
             out.isComplete = false;
@@ -214,12 +219,34 @@ private:
         const TokenKind form = operandForm(*m_context.dialect, operand.text);
         if (form == TokenKind::Address)
             return address(operand);
+        if (m_context.dialect->id == DialectId::KoyoIl && form == TokenKind::Number)
+            return koyoNumber(pin, operand);
         if (auto literal = Literal::read(operand.text))
             return ResolvedValue(std::move(*literal));
         if (form == TokenKind::Symbol)
             return symbol(operand);
         const std::string type(pin.types.isEmpty() ? name(DataType::Int) : name(pin.types.list().front()));
         m_sink.add(Code::BadConstant, operand.range, {shortened(operand.text), type, pin.types.contains(DataType::Real) ? "1.5" : "16#FF"});
+        return std::nullopt;
+    }
+
+    /// K100, O17. A bare number could mean either, so it is asked what was meant; a pin that counts in BCD takes decimal
+    /// digits only.
+    std::optional<ResolvedValue> koyoNumber(const Pin& pin, const Operand& operand)
+    {
+        const auto constant = koyoConstant(operand.text);
+        const std::string shown = shortened(operand.text);
+        if (!constant) {
+            m_sink.add(Code::NumberWithoutPrefix, operand.range, {shown});
+            return std::nullopt;
+        }
+        const bool isDecimal = upperCase(operand.text).find_first_of("ABCDEFO") == std::string::npos;
+        if (pin.bcd && !isDecimal) {
+            m_sink.add(Code::NumberNotBcd, operand.range, {shown, pin.name});
+            return std::nullopt;
+        }
+        if (auto literal = Literal::read(*constant))
+            return ResolvedValue(std::move(*literal));
         return std::nullopt;
     }
 
@@ -280,6 +307,8 @@ private:
     std::optional<ResolvedValue> programName(const Operand& operand)
     {
         const KnownProgram* program = m_context.findProgram(operand.text);
+        if (!program && m_context.dialect->id == DialectId::KoyoIl)
+            program = m_context.findSubroutine(upperCase(operand.text));
         const std::string shown = shortened(operand.text);
         if (program && program->role == ProgramRole::Subroutine)
             return ResolvedProgramName{program->name};

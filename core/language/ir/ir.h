@@ -44,7 +44,9 @@ struct IrInstruction {
 };
 
 /// How a timer counts. TON, TOF and TP are Kinco's, with IEC meaning; the T600 four are TS-TMR-01 … 04.
-enum class TimerKind : std::uint8_t { Ton = 1, Tof = 2, Tp = 3, T600Ton = 4, T600Tonr = 5, T600Tof = 6, T600Tmon = 7 };
+/// Those of Koyo count in BCD: 4 digits in a word, TMRA and TMRAF (which keep their value) 8 digits in two.
+enum class TimerKind : std::uint8_t { Ton = 1, Tof = 2, Tp = 3, T600Ton = 4, T600Tonr = 5, T600Tof = 6, T600Tmon = 7,
+    KoyoTmr = 8, KoyoTmrf = 9, KoyoTmra = 10, KoyoTmraf = 11 };
 
 /// One timer element: its value (INT, in units of the base, at most 32767) and its bit lie in memory where programs and
 /// people see them, what else it must remember lies in the hidden state.
@@ -58,7 +60,14 @@ struct IrTimer {
     bool operator==(const IrTimer&) const = default;
 };
 
-enum class CounterKind : std::uint8_t { Up = 1, Down = 2, UpDown = 3, T600Up = 4, T600UpDown = 5 };
+/// Type of a timer's value and preset.
+constexpr DataType valueType(TimerKind kind)
+{
+    return kind == TimerKind::KoyoTmra || kind == TimerKind::KoyoTmraf ? DataType::Dint : DataType::Int;
+}
+
+enum class CounterKind : std::uint8_t { Up = 1, Down = 2, UpDown = 3, T600Up = 4, T600UpDown = 5,
+    KoyoCnt = 6, KoyoUdc = 7 }; ///< the last two in BCD, of 4 and 8 digits
 
 /// One counter element: value (INT, or DINT where `type` says so) and bit in memory, edges in the hidden state.
 struct IrCounter {

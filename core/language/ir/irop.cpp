@@ -204,7 +204,7 @@ bool isAllowed(IrOp op, DataType type, DataType from)
     case IrOp::Convert:
     case IrOp::Truncate:
     case IrOp::Saturate: return isConversionAllowed(op, type, from);
-    case IrOp::Timer: return type == DataType::Int;
+    case IrOp::Timer:
     case IrOp::Counter: return type == DataType::Int || type == DataType::Dint;
     case IrOp::Add:
     case IrOp::Sub:

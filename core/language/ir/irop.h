@@ -51,7 +51,7 @@ enum class IrOp : std::uint8_t {
     Saturate = 66,     ///< integer `from` to integer `type`, out of range gives the nearest end
     RisingEdge = 72,   ///< dest := a and not a of last time, which is kept at state[index] and 0 before the first time
     FallingEdge = 73,  ///< dest := not a and a of last time
-    Timer = 80,        ///< timer `index`: a is the input, b the preset (INT), dest the output
+    Timer = 80,        ///< timer `index`: a is the input, b the preset (INT; DINT where its value has 32 bits), dest the output
     TimerReset = 81,   ///< timer `index`: value 0, output off, as if never started, if a
     Counter = 82,      ///< counter `index`: a counts, b is the preset (type of the counter), dest the output; see CounterArm
     CounterArm = 83,   ///< counter `index`: a is the reset (Up, T600*) or load (Down) input, b the second count input

@@ -72,14 +72,14 @@ bool isElementSafe(const IrProgram& program, const AreaSizes& areas, const IrAdd
 bool isTimerSafe(const IrProgram& program, const AreaSizes& areas, const IrTimer& timer)
 {
     constexpr std::int64_t LongestBaseNs = 60'000'000'000;
-    return timer.kind >= TimerKind::Ton && timer.kind <= TimerKind::T600Tmon && timer.baseNs > 0
+    return timer.kind >= TimerKind::Ton && timer.kind <= TimerKind::KoyoTmraf && timer.baseNs > 0
         && timer.baseNs <= LongestBaseNs
-        && isElementSafe(program, areas, timer.value, DataType::Int, timer.bit, timer.state, TimerStateBytes);
+        && isElementSafe(program, areas, timer.value, valueType(timer.kind), timer.bit, timer.state, TimerStateBytes);
 }
 
 bool isCounterSafe(const IrProgram& program, const AreaSizes& areas, const IrCounter& counter)
 {
-    return counter.kind >= CounterKind::Up && counter.kind <= CounterKind::T600UpDown
+    return counter.kind >= CounterKind::Up && counter.kind <= CounterKind::KoyoUdc
         && (counter.type == DataType::Int || counter.type == DataType::Dint)
         && isElementSafe(program, areas, counter.value, counter.type, counter.bit, counter.state, CounterStateBytes);
 }

@@ -77,7 +77,10 @@ private:
                 m_openTargets.push(i.index);
             return nullptr;
         case IrShape::Index::Routine: return checkRoutine(i);
-        case IrShape::Index::Timer: return i.index < m_program.timers.size() ? nullptr : "no such timer";
+        case IrShape::Index::Timer:
+            if (i.index >= m_program.timers.size())
+                return "no such timer";
+            return i.op != IrOp::Timer || valueType(m_program.timers[i.index].kind) == i.type ? nullptr : "timer of another type";
         case IrShape::Index::Counter:
             if (i.index >= m_program.counters.size())
                 return "no such counter";

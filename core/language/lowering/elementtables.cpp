@@ -9,7 +9,15 @@ bool hasByteEach(const Family& family, AreaId id)
     if (id == VariablesArea)
         return true;
     const AreaKind kind = family.area(id).kind;
-    return kind == AreaKind::Bits || kind == AreaKind::TimerBits || kind == AreaKind::CounterBits;
+    return kind == AreaKind::Bits || ((kind == AreaKind::TimerBits || kind == AreaKind::CounterBits) && !family.area(id).isPacked());
+}
+
+/// With Koyo the instruction decides the base, else the number of the timer.
+Time baseOf(const Family& family, TimerKind kind, std::uint32_t number)
+{
+    if (kind == TimerKind::KoyoTmrf || kind == TimerKind::KoyoTmraf)
+        return 10ms;
+    return kind == TimerKind::KoyoTmr || kind == TimerKind::KoyoTmra ? 100ms : family.timerBase(number);
 }
 
 } // namespace
@@ -41,7 +49,7 @@ std::uint32_t ElementTables::timer(TimerKind kind, const Address& element)
     const auto [entry, isNew] = m_timers.try_emplace({e.number, kind}, static_cast<std::uint32_t>(m_program.timers.size()));
     if (isNew) {
         const std::uint32_t state = stateOf(m_timerStates, e.number, TimerStateBytes);
-        m_program.timers.push_back({kind, e.value, e.bit, state, m_family.timerBase(e.number).count()});
+        m_program.timers.push_back({kind, e.value, e.bit, state, baseOf(m_family, kind, e.number).count()});
     }
     return entry->second;
 }
@@ -52,7 +60,8 @@ std::uint32_t ElementTables::counter(CounterKind kind, const Address& element)
     const auto [entry, isNew] = m_counters.try_emplace({e.number, kind}, static_cast<std::uint32_t>(m_program.counters.size()));
     if (isNew) {
         const std::uint32_t state = stateOf(m_counterStates, e.number, CounterStateBytes);
-        const DataType type = m_family.counterIs32Bit(e.number) ? DataType::Dint : DataType::Int;
+        const bool isWide = kind == CounterKind::KoyoUdc || m_family.counterIs32Bit(e.number);
+        const DataType type = isWide ? DataType::Dint : DataType::Int;
         m_program.counters.push_back({kind, type, e.value, e.bit, state});
     }
     return entry->second;

@@ -20,6 +20,8 @@ public:
     std::uint32_t counter(CounterKind kind, const Address& element);
     const IrCounter& counterAt(std::uint32_t index) const { return m_program.counters[index]; }
     const IrTimer& timerAt(std::uint32_t index) const { return m_program.timers[index]; }
+    /// Number of a new FOR loop (Koyo).
+    std::uint32_t loop() { return m_loops++; }
     /// One byte of hidden state.
     std::uint32_t edge();
     /// Index of a new block, which is also its instance number.
@@ -38,6 +40,7 @@ private:
     std::uint32_t stateOf(std::map<std::uint32_t, std::uint32_t>& states, std::uint32_t number, std::uint32_t bytes);
 
     const Family& m_family;
+    std::uint32_t m_loops = 0;
     IrProgram& m_program;
     std::map<std::uint32_t, std::uint32_t> m_timerStates;   ///< element number to offset
     std::map<std::uint32_t, std::uint32_t> m_counterStates;

@@ -66,6 +66,20 @@ IrRegister IrWriter::element(IrOp op, DataType type, std::uint32_t index, IrRegi
     return define(instruction);
 }
 
+IrRegister IrWriter::select(DataType type, IrRegister condition, IrRegister a, IrRegister b)
+{
+    IrInstruction instruction = make(IrOp::Select, type);
+    instruction.a = condition;
+    instruction.b = a;
+    instruction.index = b;
+    return define(instruction);
+}
+
+std::uint32_t IrWriter::position() const
+{
+    return static_cast<std::uint32_t>(m_routine.code.size());
+}
+
 void IrWriter::control(IrOp op, std::uint32_t index, IrRegister a, IrRegister b)
 {
     IrInstruction instruction = make(op, DataType::Bool);

@@ -24,6 +24,10 @@ public:
     IrRegister element(IrOp op, DataType type, std::uint32_t index, IrRegister a, IrRegister b = NoRegister);
     /// The same without a result; also calls and returns.
     void control(IrOp op, std::uint32_t index = 0, IrRegister a = NoRegister, IrRegister b = NoRegister);
+    /// a if condition, else b.
+    IrRegister select(DataType type, IrRegister condition, IrRegister a, IrRegister b);
+    /// Number of the next instruction, for jumps back.
+    std::uint32_t position() const;
     /// A jump whose target is still open; `land` puts it here.
     std::size_t jumpIf(bool sense, IrRegister condition);
     void land(std::size_t jump);

@@ -18,6 +18,16 @@ RoutineKind kindOf(ProgramRole role)
     return RoutineKind::Subroutine;
 }
 
+bool readsStack(const CheckedProgram& program)
+{
+    for (const CheckedNetwork& network : program.networks)
+        for (const CheckedRung& rung : network.rungs)
+            for (const CheckedStatement& statement : rung.statements)
+                if (statement.instruction->id == InstructionId::KoyoPop)
+                    return true;
+    return false;
+}
+
 class ProgramLinker {
 public:
     ProgramLinker(const Family& family, const ControllerModel& model, std::span<const CheckedProgram> programs)
@@ -26,6 +36,7 @@ public:
         for (const CheckedProgram& program : programs) {
             m_out.program.routines.push_back({program.key.name, kindOf(program.role), 0, {}});
             m_out.debug.objects.push_back(program.key);
+            m_usesStack = m_usesStack || readsStack(program);
         }
     }
 
@@ -33,7 +44,8 @@ public:
     {
         RoutineContext context{m_family, m_model, m_elements, index,
                                [this](std::string_view name) { return routineByName(name); },
-                               [this, index](std::uint32_t network, const TextRange& range) { return source(index, network, range); }};
+                               [this, index](std::uint32_t network, const TextRange& range) { return source(index, network, range); },
+                               m_usesStack};
         RoutineLowering(context, m_out.program.routines[index]).lower(m_programs[index]);
     }
 
@@ -56,6 +68,7 @@ private:
     const ControllerModel& m_model;
     std::span<const CheckedProgram> m_programs;
     LoweredPrograms m_out;
+    bool m_usesStack = false;
     ElementTables m_elements;
 };
 

@@ -8,10 +8,14 @@ void RoutineLowering::lowerOutput(const CheckedStatement& statement)
     switch (statement.instruction->id) {
     case InstructionId::KincoStn:
         return write(operand, DataType::Bool, m_ir.compute(IrOp::Not, DataType::Bool, flow()));
+    case InstructionId::KoyoPd:
+        return write(operand, DataType::Bool, m_ir.element(IrOp::RisingEdge, DataType::Bool, m_context.elements.edge(), flow()));
     case InstructionId::KincoS:
+    case InstructionId::KoyoSet:
     case InstructionId::InvtSet:
         return write(operand, DataType::Bool, m_ir.compute(IrOp::Or, DataType::Bool, read(operand, DataType::Bool), flow()));
     case InstructionId::KincoR:
+    case InstructionId::KoyoRst:
     case InstructionId::InvtRst: return lowerReset(statement);
     default: return write(operand, DataType::Bool, flow()); // ST, OUT
     }
@@ -23,10 +27,11 @@ void RoutineLowering::lowerReset(const CheckedStatement& statement)
     const CheckedOperand& operand = statement.operands[0];
     const Address* address = addressOf(operand);
     const AreaKind kind = address && address->area != VariablesArea ? m_context.family.area(address->area).kind : AreaKind::Bytes;
+    const bool isKoyo = statement.instruction->id == InstructionId::KoyoRst;
     if (kind == AreaKind::TimerBits || kind == AreaKind::TimerValues) {
-        m_ir.control(IrOp::TimerReset, m_context.elements.timer(TimerKind::T600Ton, *address), flow());
+        m_ir.control(IrOp::TimerReset, m_context.elements.timer(isKoyo ? TimerKind::KoyoTmr : TimerKind::T600Ton, *address), flow());
     } else if (kind == AreaKind::CounterBits || kind == AreaKind::CounterValues) {
-        m_ir.control(IrOp::CounterReset, m_context.elements.counter(CounterKind::T600UpDown, *address), flow());
+        m_ir.control(IrOp::CounterReset, m_context.elements.counter(isKoyo ? CounterKind::KoyoCnt : CounterKind::T600UpDown, *address), flow());
     } else {
         const IrRegister off = m_ir.compute(IrOp::Not, DataType::Bool, flow());
         write(operand, DataType::Bool, m_ir.compute(IrOp::And, DataType::Bool, read(operand, DataType::Bool), off));
@@ -46,7 +51,7 @@ void RoutineLowering::lowerBlock(const CheckedStatement& statement)
     case InstructionId::InvtEnd: return lowerControl(statement);
     default: break;
     }
-    if (lowerElement(statement) || lowerComputing(statement))
+    if (lowerElement(statement) || lowerComputing(statement) || lowerKoyo(statement))
         return;
     lowerEngineBlock(statement);
 }

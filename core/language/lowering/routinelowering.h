@@ -20,6 +20,7 @@ struct RoutineContext {
     std::function<std::uint32_t(std::string_view)> routineByName;
     /// Gives a statement of a network its number in the debug map.
     std::function<std::uint32_t(std::uint32_t network, const TextRange&)> source;
+    bool usesStack = false;      ///< Koyo: a program reads the stack of the accumulator
 };
 
 /// Lowers the statements of one program, in their order, with the flow (CR of Kinco, power flow of TS600) in a register.
@@ -34,6 +35,13 @@ private:
     struct Group {
         StatementRole kind = StatementRole::OpenAnd;
         IrRegister outer = NoRegister;
+    };
+
+    /// A FOR whose NEXT is still to come.
+    struct Loop {
+        IrAddress counter;
+        std::uint32_t begin = 0; ///< instruction that looks whether it is over
+        std::size_t exit = 0;    ///< jump behind NEXT, still open
     };
 
     void lower(const CheckedStatement& statement);
@@ -65,6 +73,21 @@ private:
     void lowerShift(const CheckedStatement& statement, IrOp op);
     void lowerDivision(const CheckedStatement& statement, IrOp op);
 
+    // Koyo (koyolowering.cpp)
+    bool lowerKoyo(const CheckedStatement& statement);
+    void lowerKoyoData(const CheckedStatement& statement);
+    void lowerKoyoInPlace(const CheckedStatement& statement);
+    void lowerKoyoElement(const CheckedStatement& statement);
+    void lowerKoyoControl(const CheckedStatement& statement);
+    IrRegister koyoOperand(const CheckedStatement& statement);
+    IrRegister koyoBits(const CheckedStatement& statement);
+    void storeKoyoBits(const CheckedStatement& statement);
+    unsigned koyoBitCount(const CheckedStatement& statement) const;
+    IrAddress koyoBitAt(const CheckedStatement& statement, unsigned index) const;
+    IrRegister takeKoyoFlow();
+    void openLoop(const CheckedStatement& statement);
+    void closeLoop();
+
     // Operands
     IrAddress place(const Address& address) const;
     IrRegister read(const CheckedOperand& operand, DataType type);
@@ -87,6 +110,7 @@ private:
     std::vector<IrRegister> m_loads;    ///< flows put aside by a second Load, for ANB and ORB
     std::vector<IrRegister> m_pushed;   ///< MPS
     std::vector<Group> m_groups;
+    std::vector<Loop> m_loops;
     IrRegister m_guard = NoRegister;    ///< flow of the open guard
     std::size_t m_guardJump = 0;
 };

@@ -47,6 +47,30 @@ constexpr Row Ts600Rows[] = {
     {"OUT", Output, Form::None},        {"SET", Output, Form::None},   {"RST", Output, Form::None},
 };
 
+// Koyo: RST is in the D2-MLINK manual; the rest is published for DL205. Several instructions may have one mnemonic
+// (koyodialect.h); a comparison written with two operands stands before its name with a sign, which is ours.
+constexpr Row KoyoRows[] = {
+    {"STR", Load, Form::NormallyOpen},  {"STRN", Load, Form::NormallyClosed},
+    {"AND", And, Form::NormallyOpen},   {"ANDN", And, Form::NormallyClosed},
+    {"OR", Or, Form::NormallyOpen},     {"ORN", Or, Form::NormallyClosed},
+    {"STRPD", Load, Form::Rising},      {"STRND", Load, Form::Falling},
+    {"ANDPD", And, Form::Rising},       {"ANDND", And, Form::Falling},
+    {"ORPD", Or, Form::Rising},         {"ORND", Or, Form::Falling},
+    {"STRE", Load, Form::Equal},        {"STRNE", Load, Form::NotEqual},
+    {"ANDE", And, Form::Equal},         {"ANDNE", And, Form::NotEqual},
+    {"ORE", Or, Form::Equal},           {"ORNE", Or, Form::NotEqual},
+    {"STR", Load, Form::GreaterEqual},  {"STRN", Load, Form::Less},
+    {"AND", And, Form::GreaterEqual},   {"ANDN", And, Form::Less},
+    {"OR", Or, Form::GreaterEqual},     {"ORN", Or, Form::Less},
+    {"STR>=", Load, Form::GreaterEqual}, {"STR<", Load, Form::Less},
+    {"AND>=", And, Form::GreaterEqual}, {"AND<", And, Form::Less},
+    {"OR>=", Or, Form::GreaterEqual},   {"OR<", Or, Form::Less},
+    {"ANDSTR", AndBlock, Form::None},   {"ORSTR", OrBlock, Form::None},
+    {"NOT", Flow, Form::None},
+    {"OUT", Output, Form::None},        {"SET", Output, Form::None},
+    {"RST", Output, Form::None},        {"PD", Output, Form::None},
+};
+
 struct Comparison {
     std::string_view sign;
     ContactForm form;
@@ -91,7 +115,12 @@ const std::array<std::string, ComparisonCount>& comparisonNames()
 
 std::span<const Row> rowsOf(DialectId id)
 {
-    return id == DialectId::KincoIl ? std::span<const Row>(KincoRows) : std::span<const Row>(Ts600Rows);
+    switch (id) {
+    case DialectId::KincoIl: return KincoRows;
+    case DialectId::Ts600Il: return Ts600Rows;
+    case DialectId::KoyoIl: break;
+    }
+    return KoyoRows;
 }
 
 std::optional<MnemonicShape> comparisonShape(std::string_view name)
@@ -168,14 +197,25 @@ const Dialect& ts600Il()
     return out;
 }
 
+const Dialect& koyoIl()
+{
+    static const Dialect out{DialectId::KoyoIl, "Koyo IL", "koyo", false, true, false, 1};
+    return out;
+}
+
 const Dialect& dialect(DialectId id)
 {
-    return id == DialectId::KincoIl ? kincoIl() : ts600Il();
+    switch (id) {
+    case DialectId::KincoIl: return kincoIl();
+    case DialectId::Ts600Il: return ts600Il();
+    case DialectId::KoyoIl: break;
+    }
+    return koyoIl();
 }
 
 const Dialect* dialectOfFamily(std::string_view family)
 {
-    for (const Dialect* candidate : {&kincoIl(), &ts600Il()})
+    for (const Dialect* candidate : {&kincoIl(), &ts600Il(), &koyoIl()})
         if (candidate->family == family)
             return candidate;
     return nullptr;

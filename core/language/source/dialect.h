@@ -8,7 +8,7 @@ namespace camwright {
 
 /// The instruction-list dialects. Each is a table of structural mnemonics and a few lexical rules; what else a mnemonic
 /// needs (operands, types, areas) stands in the family's catalogue.
-enum class DialectId : std::uint8_t { KincoIl, Ts600Il };
+enum class DialectId : std::uint8_t { KincoIl, Ts600Il, KoyoIl };
 
 /// What a statement does to the power flow (the CR of Kinco, the energy flow of TS600). It is known from the mnemonic alone,
 /// so a program whose instructions are misspelt still has its shape.
@@ -52,7 +52,7 @@ struct Dialect {
     bool commaSeparated;         ///< operands are separated by commas, else by blanks
     bool lineComments;           ///< "//" starts a comment (our extension of TS600 IL)
     bool networkHeaders;         ///< "(* Network n *)" heads every network; else networks are derived from the flow
-    std::uint32_t firstNetwork;  ///< number of the first network: 0 on Kinco, 1 on TS600
+    std::uint32_t firstNetwork;  ///< number of the first network: 0 on Kinco, 1 on TS600 and Koyo
 
     /// Role and form of a mnemonic, upper or lower case. A name the table does not know is a Block.
     MnemonicShape shapeOf(std::string_view mnemonic) const;
@@ -65,8 +65,9 @@ struct Dialect {
 
 const Dialect& kincoIl();
 const Dialect& ts600Il();
+const Dialect& koyoIl();
 const Dialect& dialect(DialectId id);
-/// The instruction list of a family ("kinco", "invt"); null for a family that has none.
+/// The instruction list of a family ("kinco", "invt", "koyo"); null for a family that has none.
 const Dialect* dialectOfFamily(std::string_view family);
 
 } // namespace camwright

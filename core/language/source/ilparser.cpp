@@ -1,6 +1,7 @@
 #include "core/language/source/ilparser.h"
 
 #include "core/language/source/headers.h"
+#include "core/language/source/koyodialect.h"
 #include "core/language/source/letters.h"
 #include "core/language/source/rungsplitting.h"
 #include "core/language/source/statementreader.h"
@@ -209,6 +210,7 @@ private:
         else if (m_rung == nullptr || startsRung(statement))
             m_rung = &m_network->rungs.emplace_back();
         m_splitter.follow(statement.role);
+        m_afterMark = m_dialect.id == DialectId::KoyoIl && standsAlone(statement.mnemonic);
         statement.leadingComments = std::move(m_pending);
         m_pending.clear();
         if (!m_rung->rung.range.isValid())
@@ -225,6 +227,8 @@ private:
     /// flow.
     bool startsRung(const Statement& statement) const
     {
+        if (m_dialect.id == DialectId::KoyoIl && (standsAlone(statement.mnemonic) || m_afterMark))
+            return true;
         return !m_dialect.networkHeaders && m_splitter.startsRung(statement.role);
     }
 
@@ -258,6 +262,7 @@ private:
         m_network->range = range;
         m_nextNumber = number + 1;
         m_splitter = {};
+        m_afterMark = false;
         return *m_network;
     }
 
@@ -326,6 +331,7 @@ private:
     bool m_networkIsDerived = false;
     std::uint32_t m_nextNumber = m_dialect.firstNetwork;
     RungSplitter m_splitter;
+    bool m_afterMark = false; ///< the last statement was a rung of its own (NEXT)
     bool m_ended = false;
 };
 

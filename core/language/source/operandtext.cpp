@@ -1,5 +1,6 @@
 #include "core/language/source/operandtext.h"
 
+#include "core/language/source/koyodialect.h"
 #include "core/language/source/letters.h"
 
 #include <algorithm>
@@ -62,6 +63,23 @@ bool isTs600Address(std::string_view text)
 {
     const std::string area = upperCase(takeLetters(text));
     return isOneOf(area, {"X", "Y", "M", "LM", "S", "T", "C", "D", "R", "V", "Z", "SM"}) && isElementNumber(text);
+}
+
+bool isKoyoAddress(std::string_view text)
+{
+    const std::string area = upperCase(takeLetters(text));
+    return isOneOf(area, {"X", "Y", "C", "S", "T", "CT", "SP", "GX", "GY", "V", "B", "I", "Q", "M", "R", "GI", "GQ", "TA", "CTA", "ACC"})
+        && isElementNumber(text);
+}
+
+bool isAddress(const Dialect& dialect, std::string_view text)
+{
+    switch (dialect.id) {
+    case DialectId::KincoIl: return isKincoAddress(text);
+    case DialectId::Ts600Il: return isTs600Address(text);
+    case DialectId::KoyoIl: break;
+    }
+    return isKoyoAddress(text);
 }
 
 bool isNumber(std::string_view text)
@@ -155,9 +173,9 @@ TokenKind operandForm(const Dialect& dialect, std::string_view text)
         return TokenKind::Missing;
     if (text == "_")
         return TokenKind::Empty;
-    if (dialect.commaSeparated ? isKincoAddress(text) : isTs600Address(text))
+    if (isAddress(dialect, text))
         return TokenKind::Address;
-    if (isNumber(text))
+    if (isNumber(text) || (dialect.id == DialectId::KoyoIl && koyoConstant(text)))
         return TokenKind::Number;
     if (isTypedConstant(text))
         return TokenKind::TypedConstant;

@@ -1,5 +1,7 @@
 #include "core/language/source/ilparser.h"
 
+#include "core/language/source/koyodialect.h"
+
 #include <algorithm>
 #include <utility>
 
@@ -87,9 +89,34 @@ private:
     {
         if (m_begun)
             return true;
-        report(Code::RungNeedsLoad, {mnemonic(m_at), "LD"});
+        if (beginsWithFlowOn()) {
+            m_begun = true;
+            m_drawable = false; // a text rung: its picture would need a wire from the left rail
+            return true;
+        }
+        report(Code::RungNeedsLoad, {mnemonic(m_at), std::string(m_dialect.contactMnemonic(StatementRole::Load, ContactForm::NormallyOpen))});
         m_begun = true;
         return false;
+    }
+
+    /// Koyo: a box without a contact always runs (LDS K10, OUTW R10000 of the D2-MLINK manual; END, SBR, NEXT).
+    bool beginsWithFlowOn() const
+    {
+        return m_dialect.id == DialectId::KoyoIl && m_rung.statements[m_at].role == StatementRole::Block;
+    }
+
+    /// CNT and its like take flows that wait on the stack. Ladder has no picture for it: the rung is text.
+    void takeFlows()
+    {
+        const unsigned flows = m_dialect.id == DialectId::KoyoIl ? koyoFlowsOf(mnemonic(m_at)) : 1;
+        for (unsigned i = 1; i < flows; ++i) {
+            if (m_stack.empty() || m_stack.back().kind != Waiting::Kind::Flow) {
+                report(Code::FlowsMissing, {mnemonic(m_at), std::to_string(flows)});
+                return;
+            }
+            m_stack.pop_back();
+            m_drawable = false;
+        }
     }
 
     bool mayNest()
@@ -122,6 +149,8 @@ private:
     void inSeries(bool pure)
     {
         needsFlow();
+        if (m_rung.statements[m_at].role == StatementRole::Block)
+            takeFlows();
         m_hasAction = m_hasAction || !pure;
         m_flow.pure = m_flow.pure && pure;
         m_flow.series.push_back(element(m_at));

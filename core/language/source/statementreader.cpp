@@ -1,5 +1,6 @@
 #include "core/language/source/statementreader.h"
 
+#include "core/language/source/koyodialect.h"
 #include "core/language/source/letters.h"
 #include "core/language/source/operandtext.h"
 
@@ -26,6 +27,16 @@ bool isInComment(std::span<const Token> tokens, std::size_t column)
     return std::any_of(tokens.begin(), tokens.end(), [&](const Token& token) {
         return token.kind == TokenKind::Comment && column >= token.column && column < token.column + token.length;
     });
+}
+
+std::string exampleAddress(const Dialect& dialect)
+{
+    switch (dialect.id) {
+    case DialectId::KincoIl: return "%VW100";
+    case DialectId::Ts600Il: return "D100";
+    case DialectId::KoyoIl: break;
+    }
+    return "V1400";
 }
 
 Code codeOf(OperandDamage damage)
@@ -64,6 +75,8 @@ Statement StatementReader::read(std::string_view line, std::uint32_t number, std
         return out;
     }
     readOperands(line, number, tokens.subspan(1), out);
+    if (m_dialect.id == DialectId::KoyoIl)
+        settleKoyoStatement(out);
     return out;
 }
 
@@ -116,7 +129,7 @@ Operand StatementReader::readOperand(std::string_view text, const TextRange& ran
     out.kind = OperandKind::Damaged;
     const Code code = codeOf(repair.damage);
     if (code == Code::BadOperand)
-        m_sink.add(code, range, {shortened(text), m_dialect.commaSeparated ? "%VW100" : "D100"});
+        m_sink.add(code, range, {shortened(text), exampleAddress(m_dialect)});
     else if (code == Code::LookalikeLetters)
         m_sink.add(code, range, {shortened(text), firstLookalike(text), shortened(repair.text)});
     else

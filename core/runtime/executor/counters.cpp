@@ -1,7 +1,10 @@
 #include "core/runtime/executor/access.h"
+#include "core/runtime/executor/bcd.h"
 #include "core/runtime/executor/handlers.h"
 
+#include <algorithm>
 #include <limits>
+#include <type_traits>
 
 namespace camwright {
 
@@ -22,7 +25,7 @@ class CounterRun {
 public:
     CounterRun(Frame& frame, const Step* step)
         : m_frame(frame), m_counter(frame.code->counters[step->extra]), m_hidden(load<Hidden>(frame, m_counter.state)),
-          m_value(load<T>(frame, m_counter.value)), m_preset(load<T>(frame, step->b)), m_input(frame.bytes[step->a] != 0)
+          m_value(number(load<T>(frame, m_counter.value))), m_preset(number(load<T>(frame, step->b))), m_input(frame.bytes[step->a] != 0)
     {
     }
 
@@ -32,13 +35,23 @@ public:
         m_hidden.up = m_input ? 1 : 0;
         m_hidden.down = m_hidden.armDown;
         store(m_frame, m_counter.state, m_hidden);
-        store(m_frame, m_counter.value, m_value);
+        store(m_frame, m_counter.value, isBcd() ? static_cast<T>(toBcd(m_value)) : m_value);
         storeBit(m_frame, m_counter.bit, m_counter.bitMask, output);
         m_frame.bytes[step->dest] = output ? 1 : 0;
         return step + 1;
     }
 
 private:
+    bool isBcd() const { return m_counter.kind >= CounterKind::KoyoCnt; }
+
+    /// A value of memory; of digits, the number they make, which has at most as many digits as there is room for.
+    T number(T stored) const
+    {
+        constexpr std::int64_t Greatest = sizeof(T) == 2 ? 9999 : 99'999'999;
+        const auto digits = static_cast<std::make_unsigned_t<T>>(stored);
+        return isBcd() ? static_cast<T>(std::min(Greatest, fromBcd(digits))) : stored;
+    }
+
     bool count()
     {
         const bool upEdge = m_input && !m_hidden.up;
@@ -57,6 +70,18 @@ private:
             else if (upEdge && m_value > 0)
                 down();
             return m_value <= 0;
+        case CounterKind::KoyoCnt:
+            if (m_hidden.armReset)
+                m_value = 0;
+            else if (upEdge)
+                upTo(9999);
+            return m_value >= m_preset;
+        case CounterKind::KoyoUdc:
+            if (m_hidden.armReset)
+                m_value = 0;
+            else if (upEdge != downEdge)
+                upEdge ? upTo(99'999'999) : downToZero();
+            return m_value >= m_preset;
         case CounterKind::UpDown:
             if (m_hidden.armReset)
                 m_value = 0;
@@ -69,6 +94,18 @@ private:
             return m_value >= m_preset;
         }
         return false;
+    }
+
+    void upTo(std::int64_t greatest)
+    {
+        if (m_value < greatest)
+            ++m_value;
+    }
+
+    void downToZero()
+    {
+        if (m_value > 0)
+            --m_value;
     }
 
     void up()

@@ -50,6 +50,7 @@ const Step* fallingEdge(Frame& frame, const Step* step);
 
 // Timers and counters: extra is the index into the bytecode's table.
 Handler timerHandler(TimerKind kind);
+Handler koyoTimerHandler(TimerKind kind);
 const Step* resetTimer(Frame& frame, const Step* step);       ///< a: whether
 Handler counterHandler(bool isWide);
 const Step* armCounter(Frame& frame, const Step* step);

@@ -1,5 +1,6 @@
 #include "core/runtime/executor/access.h"
 #include "core/runtime/executor/handlers.h"
+#include "core/runtime/executor/timerstate.h"
 
 #include <algorithm>
 
@@ -7,17 +8,7 @@ namespace camwright {
 
 namespace {
 
-/// What a timer remembers besides its value and bit. Saved state and images may hold any bytes here, so nothing read back
-/// is trusted: a fraction outside the base and a time that has not come yet count as zero.
-struct Hidden {
-    std::int64_t last = 0;     ///< ns, when it was last executed
-    std::int64_t fraction = 0; ///< ns since the value last grew, less than the base
-    std::uint8_t timing = 0;
-    std::uint8_t input = 0;    ///< of the last execution
-    std::uint8_t known = 0;    ///< executed before
-    std::uint8_t reserved[5] = {};
-};
-static_assert(sizeof(Hidden) == TimerStateBytes);
+using Hidden = HiddenTimer;
 
 constexpr std::int64_t GreatestValue = 32767;
 
@@ -55,12 +46,7 @@ public:
     /// Adds the time since the last execution, in whole units of the base.
     void advance()
     {
-        const std::int64_t now = m_frame.now.count();
-        const std::int64_t elapsed = m_hidden.last >= 0 && m_hidden.last <= now ? now - m_hidden.last : 0;
-        const bool isFraction = m_hidden.fraction >= 0 && m_hidden.fraction < m_timer.baseNs;
-        const std::int64_t fraction = isFraction ? m_hidden.fraction : 0;
-        const std::int64_t units = elapsed / m_timer.baseNs + (elapsed % m_timer.baseNs + fraction) / m_timer.baseNs;
-        m_hidden.fraction = (elapsed % m_timer.baseNs + fraction) % m_timer.baseNs;
+        const std::int64_t units = m_hidden.unitsUntil(m_frame.now.count(), m_timer.baseNs);
         m_value = std::min(GreatestValue, m_value + std::min(units, GreatestValue - std::min<std::int64_t>(m_value, 0)));
     }
 
@@ -213,6 +199,10 @@ Handler timerHandler(TimerKind kind)
     case TimerKind::T600Tonr: return runTimer<&TimerRun::t600Tonr>;
     case TimerKind::T600Tof: return runTimer<&TimerRun::t600Tof>;
     case TimerKind::T600Tmon: return runTimer<&TimerRun::t600Tmon>;
+    case TimerKind::KoyoTmr:
+    case TimerKind::KoyoTmrf:
+    case TimerKind::KoyoTmra:
+    case TimerKind::KoyoTmraf: return koyoTimerHandler(kind);
     }
     return nullptr;
 }
@@ -226,7 +216,10 @@ const Step* resetTimer(Frame& frame, const Step* step)
         hidden.fraction = 0;
         hidden.last = frame.now.count();
         store(frame, timer.state, hidden);
-        store<std::int16_t>(frame, timer.value, 0);
+        if (valueType(timer.kind) == DataType::Dint)
+            store<std::int32_t>(frame, timer.value, 0);
+        else
+            store<std::int16_t>(frame, timer.value, 0);
         storeBit(frame, timer.bit, timer.bitMask, false);
     }
     return step + 1;

@@ -17,7 +17,7 @@ const Family& invtFamily() { return *findFamily("invt"); }
 
 TEST(FamilyTest, theEmbeddedTablesAreFlawless)
 {
-    for (std::string id : {"kinco", "invt"}) {
+    for (std::string id : {"kinco", "invt", "koyo"}) {
         const auto data = readFamily([&id](std::string_view name) { return embeddedFamilyFile(id + "/" + std::string(name)); });
         if (data.ok())
             continue;
@@ -28,9 +28,10 @@ TEST(FamilyTest, theEmbeddedTablesAreFlawless)
 
 TEST(FamilyTest, familiesAreFoundByTheirId)
 {
-    ASSERT_EQ(families().size(), 2u);
+    ASSERT_EQ(families().size(), 3u);
     EXPECT_EQ(findFamily("kinco"), families()[0]);
     EXPECT_EQ(findFamily("invt")->displayName(), "INVT TS600");
+    EXPECT_EQ(findFamily("koyo")->displayName(), "Koyo D2-MLINK");
     EXPECT_EQ(findFamily("Kinco"), nullptr);
     EXPECT_EQ(findFamily(""), nullptr);
 }
