@@ -21,6 +21,15 @@ bool hasHiddenMemory(StatementRole role, ContactForm form)
     return role == StatementRole::Block || form == ContactForm::Rising || form == ContactForm::Falling;
 }
 
+/// What packed decimal digits mean: 16#31 is 31. A range of the catalogue is about that number.
+double numberOfDigits(std::uint64_t bcd)
+{
+    double out = 0;
+    for (int shift = 60; shift >= 0; shift -= 4)
+        out = out * 10 + static_cast<double>(bcd >> shift & 0xF);
+    return out;
+}
+
 /// Checks one statement: decides the types of its operands, then looks at ranges, groups and blocks.
 class StatementCheck {
 public:
@@ -260,7 +269,7 @@ private:
             m_ok = false;
             return NoOperand{};
         }
-        checkRange(operand, value->asDouble());
+        checkRange(operand, operand.pin->bcd ? numberOfDigits(value->bits) : value->asDouble());
         return ConstantOperand{*value};
     }
 

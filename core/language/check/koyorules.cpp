@@ -88,14 +88,24 @@ public:
     }
 
 private:
+    /// Statements with a known mnemonic, whatever is wrong with their operands.
     template <class Visitor>
-    void forEachStatement(std::size_t program, Visitor visit)
+    void forEachInstruction(std::size_t program, Visitor visit)
     {
         for (const ResolvedNetwork& network : m_programs[program].networks)
             for (const ResolvedRung& rung : network.rungs)
                 for (const ResolvedStatement& statement : rung.statements)
-                    if (statement.isComplete)
+                    if (statement.instruction)
                         visit(statement);
+    }
+
+    template <class Visitor>
+    void forEachStatement(std::size_t program, Visitor visit)
+    {
+        forEachInstruction(program, [&](const ResolvedStatement& statement) {
+            if (statement.isComplete)
+                visit(statement);
+        });
     }
 
     void report(std::size_t program, Code code, const TextRange& range, std::vector<std::string> arguments)
@@ -134,7 +144,7 @@ private:
     void checkLoops(std::size_t program)
     {
         std::vector<TextRange> open;
-        forEachStatement(program, [&](const ResolvedStatement& statement) {
+        forEachInstruction(program, [&](const ResolvedStatement& statement) {
             if (statement.instruction->id == InstructionId::KoyoFor)
                 open.push_back(statement.range);
             if (statement.instruction->id != InstructionId::KoyoNext)

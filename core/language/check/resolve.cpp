@@ -219,7 +219,7 @@ private:
         const TokenKind form = operandForm(*m_context.dialect, operand.text);
         if (form == TokenKind::Address)
             return address(operand);
-        if (m_context.dialect->id == DialectId::KoyoIl && form == TokenKind::Number)
+        if (m_context.dialect->id == DialectId::KoyoIl && (form == TokenKind::Number || form == TokenKind::TypedConstant))
             return koyoNumber(pin, operand);
         if (auto literal = Literal::read(operand.text))
             return ResolvedValue(std::move(*literal));
@@ -237,11 +237,15 @@ private:
         const auto constant = koyoConstant(operand.text);
         const std::string shown = shortened(operand.text);
         if (!constant) {
-            m_sink.add(Code::NumberWithoutPrefix, operand.range, {shown});
+            const bool isDecimal = std::all_of(operand.text.begin(), operand.text.end(), isDigit);
+            if (isDecimal)
+                m_sink.add(Code::NumberWithoutPrefix, operand.range, {shown});
+            else
+                m_sink.add(Code::BadConstant, operand.range, {shown, std::string(name(pin.mainType)), "K100"});
             return std::nullopt;
         }
-        const bool isDecimal = upperCase(operand.text).find_first_of("ABCDEFO") == std::string::npos;
-        if (pin.bcd && !isDecimal) {
+        const bool hasDecimalDigits = upperCase(operand.text).find_first_of("ABCDEFO") == std::string::npos;
+        if (pin.bcd && !hasDecimalDigits) {
             m_sink.add(Code::NumberNotBcd, operand.range, {shown, pin.name});
             return std::nullopt;
         }

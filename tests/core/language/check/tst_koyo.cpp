@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include <chrono>
+#include <ctime>
 
 using namespace camwright;
 using namespace camwright::test;
@@ -199,7 +199,7 @@ TEST(KoyoCheckTest, hugeAndEndlessTextsTakeLinearTime)
     std::string work;
     for (int i = 0; i < 20'000; ++i)
         work += "STR M1\nIB-2000 R5000 R5001 R5040 M100 M101\n";
-    const auto begin = std::chrono::steady_clock::now();
+    const std::clock_t begin = std::clock();
     EXPECT_FALSE(check(dl260(), work).programs.has_value());
     EXPECT_FALSE(check(dl260(), "STR " + std::string(1'000'000, 'K') + "\n").programs.has_value());
     EXPECT_FALSE(check(dl260(), std::string(200'000, '\\') + "\nLD K" + std::string(100'000, '9') + "\n").programs.has_value());
@@ -207,7 +207,7 @@ TEST(KoyoCheckTest, hugeAndEndlessTextsTakeLinearTime)
     for (int i = 0; i < 50'000; ++i)
         deep += "STR X0\n";
     EXPECT_FALSE(check(dl260(), deep + "OUT Y0\n").programs.has_value());
-    EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(60));
+    EXPECT_LT((std::clock() - begin) / CLOCKS_PER_SEC, 60) << "seconds of processor time";
 }
 
 } // namespace
