@@ -266,6 +266,29 @@ private slots:
         QVERIFY(!lit("Y0", 13.5) && !lit("Y1", 13.5) && !lit("Y2", 13.5));
     }
 
+    /// A Koyo project from nothing: I-boxes are checked and built with a word about them, everything else runs.
+    void aKoyoProgramIsCheckedBuiltAndSimulated()
+    {
+        const QString project = path("koyo");
+        QCOMPARE(m_cli.run({"new", project, "--family", "koyo", "--model", "DL-265"}).status, 0);
+        const QString file = project + QStringLiteral("/programs/Main.il");
+        const QByteArray head = read(file).split('\n').value(0);
+        write(file, head + "\nSTRN T0\nTMR T0 K10\nSTR T0\nSTR X1\nCNT CT0 K9999\nSTR SP1\nLD CTA0\nADD K98\nOUT V1400\nSTR X0\nOUT Y0\n");
+        const CliRun checked = m_cli.run({"check", project});
+        QVERIFY2(checked.status == 0, qPrintable(checked.out + checked.err));
+        const CliRun run = m_cli.run({"simulate", project, "--for", "6s", "--set", "X0=1@3s", "--trace", "Y0,V1400,SP1", "--out", path("koyo.csv")});
+        QVERIFY2(run.status == 0, qPrintable(run.out + run.err));
+        const auto values = columns(read(path("koyo.csv")));
+        QCOMPARE(values["Y0"][2900], 0.0);
+        QCOMPARE(values["Y0"][3100], 1.0);
+        QCOMPARE(values["SP1"].last(), 1.0);
+        QCOMPARE(int(values["V1400"][2500]), 0x100); // two seconds counted, in BCD: 2 + 98
+        write(file, head + "\nSTRN B10003.1\nAND M1002\nIB-2021 R5000 R5001 R5040 M100 M101 R5002 R5003\n");
+        QCOMPARE(m_cli.run({"check", project}).status, 0);
+        const CliRun built = m_cli.run({"build", project, "--out", path("koyo.cwimg")});
+        QVERIFY2(built.status == 0 && (built.out + built.err).contains(QStringLiteral("ML_SVON")), qPrintable(built.out + built.err));
+    }
+
     void aNameTheProgramDoesNotKnowIsNamed()
     {
         const CliRun run = m_cli.run({"simulate", Cli::example("kinco-feeder"), "--for", "1s", "--trace", "axis.Nobody.position"});

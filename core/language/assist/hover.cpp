@@ -3,6 +3,7 @@
 #include "core/language/assist/spot.h"
 #include "core/language/check/operandtypes.h"
 #include "core/language/check/resolvedprogram.h"
+#include "core/language/source/koyodialect.h"
 
 namespace camwright {
 
@@ -34,6 +35,14 @@ void describeMemory(Hover& out, const Address& address, const LanguageContext& c
         out.areaMeaning = context.family->area(address.area).meaning.in(language);
 }
 
+std::optional<Literal> literalOf(std::string_view word, const LanguageContext& context)
+{
+    if (context.dialect->id == DialectId::KoyoIl)
+        if (const auto constant = koyoConstant(word))
+            return Literal::read(*constant);
+    return Literal::read(word);
+}
+
 void describeWord(Hover& out, const Spot& spot, const LanguageContext& context, TextLanguage language)
 {
     out.variable = context.findVariable(spot.word);
@@ -42,7 +51,7 @@ void describeWord(Hover& out, const Spot& spot, const LanguageContext& context, 
             describeMemory(out, *out.variable->address, context, language);
     } else if (const auto address = context.family->parseAddress(spot.word, *context.model)) {
         describeMemory(out, *address, context, language);
-    } else if (const auto literal = Literal::read(spot.word)) {
+    } else if (const auto literal = literalOf(spot.word, context)) {
         const TypeSet types = out.pin ? intersection(literal->types(), out.pin->types) : literal->types();
         if (const auto value = literal->as(preferredType(types.isEmpty() ? literal->types() : types)))
             out.constant = *value;

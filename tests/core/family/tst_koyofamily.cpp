@@ -96,6 +96,7 @@ TEST(KoyoFamilyTest, modelsAndErrorsAreThoseOfTheSheet) // D2-SYS-01, D2-SYS-04,
     EXPECT_EQ(family.errorText("Rnn6", 0xFFF4, TextLanguage::English), "More stations are configured than the module takes.");
     EXPECT_EQ(family.errorText("Rnn7", 1u << 3, TextLanguage::English), "Not all stations were served within one cycle.");
     EXPECT_EQ(family.errorText("Rnn10", 0xE, TextLanguage::English), "The station is busy or moving; the command was ignored.");
+    EXPECT_EQ(family.errorText("I-box", 3, TextLanguage::English), "The data length differs from that of the other side."); // D2-IBC-05
     EXPECT_TRUE(family.isWritable(*parse("C0")));
     EXPECT_FALSE(family.isWritable(*parse("SP1")));
     EXPECT_TRUE(family.area(koyo::X).isInput);

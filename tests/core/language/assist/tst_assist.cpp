@@ -53,6 +53,27 @@ TEST(CompletionTest, proposesInstructionsByPrefix)
     EXPECT_FALSE(completion.items[0].help.empty());
 }
 
+TEST(CompletionTest, knowsTheKoyoCatalogue)
+{
+    const LanguageContext koyo = contextFor("koyo", "DL-260");
+    EXPECT_EQ(completions(koyo, "STR X0\nTMR|"), "TMR TMRA TMRAF TMRF");
+    EXPECT_EQ(completions(koyo, "GTS |"), "Init ???");
+    const std::string areas = completions(koyo, "OUTW |");
+    EXPECT_NE(areas.find('V'), std::string::npos) << areas;
+    EXPECT_EQ(areas.find('%'), std::string::npos) << areas;
+    const auto box = hover(koyo, "STR M0\nIB-20|01 R5000 R5001");
+    ASSERT_TRUE(box.has_value());
+    EXPECT_TRUE(box->signature.starts_with("ML_PRRD Header Axis Work Error Sending Number Size")) << box->signature;
+    EXPECT_EQ(box->whyNotSimulated, "I-box motion is not simulated yet.");
+    const auto pin = hover(koyo, "STR M0\nIB-2001 R5000 R50|01", TextLanguage::Chinese);
+    ASSERT_TRUE(pin.has_value() && pin->pin);
+    EXPECT_EQ(pin->pin->name, "Axis");
+    EXPECT_EQ(pin->help, "存放轴编号的寄存器，BCD 码 1～15。");
+    const auto constant = hover(koyo, "STR X0\nLD K1|00");
+    ASSERT_TRUE(constant.has_value() && constant->constant.has_value());
+    EXPECT_EQ(constant->constant->asInteger(), 0x100);
+}
+
 TEST(CompletionTest, proposesWhatThePinTakes)
 {
     EXPECT_TRUE(completions(ks101m(), "MC_POWER Start, |").starts_with("1 2 "));

@@ -1,5 +1,7 @@
 #include "tests/core/language/lowering/programbench.h"
 
+#include <fstream>
+#include <iterator>
 #include <random>
 
 using namespace camwright;
@@ -210,6 +212,41 @@ TEST(KoyoProgramTest, subroutinesAreCalledByNumberAndByName)
     bench.set("X1=1 X2=0");
     run(bench, 1);
     EXPECT_EQ(bench.differences("V1400=3 V1401=1 Y5=1"), "");
+}
+
+std::string program(const std::string& name)
+{
+    std::ifstream in(std::string(CAMWRIGHT_SOURCE_DIR) + "/tests/data/language/koyo/" + name, std::ios::binary);
+    return {std::istreambuf_iterator<char>(in), {}};
+}
+
+TEST(KoyoProgramTest, theSetUpOfTheManualFillsTheRegistersOfTheModule) // D2-PRG-01, D2-PRG-02, D2-REG-01 … 03, D2-REG-14
+{
+    ProgramBench bench("koyo", "DL-260", program("initialisation.il"));
+    ASSERT_EQ(bench.build(), "");
+    bench.set("SP0=1");
+    bench.scan();
+    EXPECT_EQ(bench.differences("V7662=16#1000 V10000=16#2 V10001=16#2000 V10020=16#41 V10060=16#42"), "");
+}
+
+TEST(KoyoProgramTest, theJogPatternSendsFeedAtTheRisingAndHoldAtTheFallingEdge) // D2-PRG-03
+{
+    ProgramBench bench("koyo", "DL-260", program("jog.il"));
+    ASSERT_EQ(bench.build(), "");
+    bench.set("SP0=1 V1400=16#86A0 V1401=1");
+    bench.scan();
+    bench.set("SP0=0 I0=1");
+    bench.scan();
+    EXPECT_EQ(bench.differences("V10021=16#31 B10003.1=1"), "");
+    bench.set("B10003.1=0 I1=1"); // the module has answered
+    bench.scan();
+    EXPECT_EQ(bench.differences("V10021=16#36 V10025=16#86A0 V10026=1 V10027=16#20 B10003.1=1"), "");
+    bench.set("B10003.1=0");
+    bench.scan();
+    EXPECT_EQ(bench.differences("B10003.1=0"), "") << "the command is sent once";
+    bench.set("I1=0");
+    bench.scan();
+    EXPECT_EQ(bench.differences("V10021=16#25 V10023=0 B10003.1=1"), "");
 }
 
 TEST(KoyoProgramTest, everyBcdNumberComesBackFromBinary)
