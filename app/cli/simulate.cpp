@@ -5,6 +5,7 @@
 #include "app/cli/verbs.h"
 #include "core/online/valuename.h"
 #include "core/runtime/engine.h"
+#include "core/runtime/native/nativeprogram.h"
 #include "editors/words/words.h"
 
 namespace camwright::cli {
@@ -21,6 +22,7 @@ struct Plan {
     Time span{};
     Time every = kMotionCycle;
     std::uint64_t seed = 1;
+    ExecutorChoice executor = ExecutorChoice::Automatic;
     std::vector<TimedWrite> writes;
     TraceSetup trace;
 };
@@ -58,6 +60,12 @@ std::optional<QString> readPlan(Invocation& call, Plan& plan)
     plan.seed = call.value("seed").toULongLong(&ok);
     if (!ok)
         return QStringLiteral("--seed wants a whole number, not '%1'.").arg(call.value("seed"));
+    const auto executor = executorChoiceByName(call.value("executor").toStdString());
+    if (!executor)
+        return QStringLiteral("--executor wants interpreter, native or auto, not '%1'.").arg(call.value("executor"));
+    if (*executor == ExecutorChoice::Native && !hasNativeTranslation())
+        return QStringLiteral("This build makes no machine code for the processor; leave --executor native out.");
+    plan.executor = *executor;
     for (const QString& text : call.options.values(QStringLiteral("set"))) {
         const auto write = parseWrite(text);
         if (!write)
@@ -125,7 +133,7 @@ int simulate(Invocation& call)
     if (!built)
         return built.status;
 
-    ControllerEngine engine(EngineOptions{plan.seed});
+    ControllerEngine engine(EngineOptions{plan.seed, plan.executor});
     const auto fail = [&](const Diagnostic& why) { return call.out.diagnostic(why), AnswerIsNo; };
     if (const auto loaded = engine.load(built.image); !loaded)
         return fail(loaded.error());
@@ -157,6 +165,7 @@ void addSimulateOptions(QCommandLineParser& options)
 {
     options.addOption({QStringLiteral("for"), QStringLiteral("How long, in controller time (10s, 500ms)."), QStringLiteral("TIME"), QStringLiteral("10s")});
     options.addOption({QStringLiteral("seed"), QStringLiteral("Seed of the simulated plants."), QStringLiteral("N"), QStringLiteral("1")});
+    options.addOption({QStringLiteral("executor"), QStringLiteral("What runs the program: interpreter, native (machine code) or auto. The results are the same."), QStringLiteral("WHICH"), QStringLiteral("auto")});
     options.addOption({QStringLiteral("set"), QStringLiteral("Writes a value at a time; for an input: sets its terminal. May be repeated."), QStringLiteral("NAME=VALUE@TIME")});
     options.addOption({QStringLiteral("trace"), QStringLiteral("Records these values, separated by commas."), QStringLiteral("NAME,...")});
     options.addOption({QStringLiteral("every"), QStringLiteral("Distance between recorded rows."), QStringLiteral("TIME"), QStringLiteral("1ms")});

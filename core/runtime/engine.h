@@ -9,6 +9,7 @@
 #include "core/online/controllerlink.h"
 #include "core/online/sampleblock.h"
 #include "core/runtime/engineinput.h"
+#include "core/runtime/native/loadexecutor.h"
 #include "core/runtime/valueref.h"
 
 #include <cstdint>
@@ -22,6 +23,7 @@ namespace camwright {
 
 struct EngineOptions {
     std::uint64_t seed = 1; ///< of the simulated plants' small disturbances
+    ExecutorChoice executor = ExecutorChoice::Automatic; ///< both give the same bytes; not part of a saved state
 };
 
 /// Length of a motion cycle, on every family.

@@ -153,7 +153,7 @@ Result<void> ControllerEngine::Impl::apply(const input::LoadImage& in)
 {
     if (state == RunState::Run || startPending)
         return diagnostic(Code::LoadOnlyInStop);
-    Result<PreparedImage> prepared = PreparedImage::from(in.image);
+    Result<PreparedImage> prepared = PreparedImage::from(in.image, options.executor);
     if (!prepared)
         return std::move(prepared).error();
     pending = std::move(prepared).value();

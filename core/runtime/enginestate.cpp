@@ -103,14 +103,14 @@ bool ControllerEngine::Impl::restore(ByteReader& reader)
         return false;
     traceRow.assign(traceRefs.size(), 0.0);
     if (!pendingBytes.empty()) {
-        Result<PreparedImage> prepared = PreparedImage::from(pendingBytes);
+        Result<PreparedImage> prepared = PreparedImage::from(pendingBytes, options.executor);
         if (!prepared)
             return false;
         pending = std::move(prepared).value();
     }
     if (imageBytes.empty())
         return reader.atEnd() && traceRefs.empty() && !triggerRef && !trace.isRunning();
-    Result<PreparedImage> prepared = PreparedImage::from(imageBytes);
+    Result<PreparedImage> prepared = PreparedImage::from(imageBytes, options.executor);
     if (!prepared)
         return false;
     program = std::make_unique<LoadedProgram>(std::move(prepared).value(), options.seed, log, now);

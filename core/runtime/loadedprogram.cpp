@@ -30,7 +30,7 @@ bool hasUsableAxes(const Configuration& configuration)
 
 } // namespace
 
-Result<PreparedImage> PreparedImage::from(ByteSpan bytes)
+Result<PreparedImage> PreparedImage::from(ByteSpan bytes, ExecutorChoice choice)
 {
     Result<ControllerImage> read = readImage(bytes);
     if (!read)
@@ -40,7 +40,7 @@ Result<PreparedImage> PreparedImage::from(ByteSpan bytes)
     const ControllerModel* const model = family ? family->findModel(image->target.model) : nullptr;
     if (!model || !hasUsableAxes(image->configuration))
         return diagnostic(Code::FamilyMismatch, {image->target.family, image->target.model});
-    Result<ScanExecutor> executor = ScanExecutor::load(image);
+    Result<ScanExecutor> executor = loadExecutor(image, choice);
     if (!executor)
         return std::move(executor).error();
     return PreparedImage{{bytes.begin(), bytes.end()}, std::move(image), family, model, std::move(executor).value()};

@@ -5,6 +5,7 @@
 #include "core/language/image/controllerimage.h"
 #include "core/runtime/log/controllerlog.h"
 #include "core/runtime/motionsystem.h"
+#include "core/runtime/native/loadexecutor.h"
 #include "core/runtime/scantask.h"
 #include "core/runtime/valuenames.h"
 
@@ -21,7 +22,7 @@ struct PreparedImage {
     ScanExecutor executor;
 
     /// Everything is checked; any bytes give a usable image or the reason.
-    static Result<PreparedImage> from(ByteSpan bytes);
+    static Result<PreparedImage> from(ByteSpan bytes, ExecutorChoice choice = ExecutorChoice::Automatic);
 };
 
 /// An image in its place: its memory and scan, its motion, its names.

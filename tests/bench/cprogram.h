@@ -18,15 +18,15 @@
 namespace camwright::bench {
 
 /// Writes the main routine of an image as C, one function for so many instructions: what a C compiler makes of the same
-/// work. Without guards, counting or one NaN; only the operations that the benchmark's programs have.
+/// work. Without guards or counting; only the operations that the benchmark's programs have. `oneNaN`: stores the one NaN of the
+/// controller, so that results can be compared.
 class CWriter {
 public:
-    CWriter(const ControllerImage& image, const Memory& memory) : m_image(image), m_memory(memory) {}
+    CWriter(const ControllerImage& image, const Memory& memory, bool oneNaN) : m_image(image), m_memory(memory), m_oneNaN(oneNaN) {}
 
     std::string write()
     {
         m_out << "#include <stdint.h>\n#include <string.h>\n";
-        std::vector<bool> isLabel;
         for (const IrRoutine& routine : m_image.program.routines) {
             if (routine.kind == RoutineKind::Main)
                 writeRoutine(routine);
@@ -46,7 +46,6 @@ private:
         std::vector<bool> isLabel(routine.code.size() + 1, false);
         std::vector<std::size_t> lastUse(routine.registers, 0);
         std::size_t farthest = 0;
-        std::vector<std::size_t> canSplit(routine.code.size() + 1, 0);
         for (std::size_t at = 0; at < routine.code.size(); ++at) {
             const IrInstruction& i = routine.code[at];
             const IrShape& shape = shapeOf(i.op);
@@ -138,6 +137,8 @@ private:
             if (isBit)
                 m_out << "m[" << offset << "] = (uint8_t)((m[" << offset << "] & ~" << (1u << i.address.bit) << "u) | (r" << i.a << " << "
                       << unsigned{i.address.bit} << "));\n";
+            else if (m_oneNaN && i.type == DataType::Real)
+                m_out << "{ float f = r" << i.a << "; const uint32_t n = 0x7FC00000; if (f != f) memcpy(&f, &n, 4); memcpy(m + " << offset << ", &f, 4); }\n";
             else
                 m_out << "memcpy(m + " << offset << ", &r" << i.a << ", " << byteWidth(i.type) << ");\n";
             return;
@@ -161,6 +162,7 @@ private:
 
     const ControllerImage& m_image;
     const Memory& m_memory;
+    bool m_oneNaN;
     std::ostringstream m_out;
     unsigned m_functions = 0;
 };
@@ -170,13 +172,13 @@ class CProgram {
 public:
     using Scan = void (*)(std::uint8_t*);
 
-    static Scan compile(const ControllerImage& image, const Memory& memory)
+    static Scan compile(const ControllerImage& image, const Memory& memory, bool oneNaN)
     {
         const std::filesystem::path folder = std::filesystem::temp_directory_path() / ("camwright-bench-" + std::to_string(::getpid()));
         std::filesystem::create_directories(folder);
         const std::string source = (folder / "scan.c").string();
         const std::string library = (folder / "scan.so").string();
-        std::ofstream(source) << CWriter(image, memory).write();
+        std::ofstream(source) << CWriter(image, memory, oneNaN).write();
         const int status = std::system(("gcc -O2 -ffp-contract=off -shared -fPIC -o " + library + " " + source).c_str());
         void* const handle = status == 0 ? ::dlopen(library.c_str(), RTLD_NOW) : nullptr;
         std::filesystem::remove_all(folder);

@@ -196,10 +196,7 @@ const Step* guard(Frame& frame, const Step* step)
         return step + 1;
     }
     frame.fault(guard.instruction);
-    if (guard.elseInstruction > guard.instruction)
-        frame.count(guard.instruction);
-    else if (!frame.countAndCheck(guard.instruction))
-        return nullptr;
+    frame.count(guard.instruction);
     frame.segment = guard.elseInstruction;
     return frame.code->steps.data() + guard.elseStep;
 }

@@ -14,6 +14,9 @@ using namespace native;
 /// Longer routines would not fit the constants of the instructions that count; none is that long.
 constexpr std::size_t GreatestRoutine = std::size_t{1} << 30;
 
+/// Offsets must fit a signed displacement, with room for the scratch space.
+constexpr std::uint32_t GreatestMemory = std::uint32_t{1} << 30;
+
 /// As many operations are never done, so that much is as good as no limit and leaves room for the sign.
 constexpr std::uint64_t GreatestBudget = std::uint64_t{1} << 62;
 
@@ -198,6 +201,8 @@ bool hasNativeTranslation()
 
 std::unique_ptr<const TranslatedProgram> translateToNative(const ControllerImage& image, const Memory& memory, const Bytecode& tables)
 {
+    if (memory.scratchOffset() >= GreatestMemory)
+        return nullptr;
     for (const IrRoutine& routine : image.program.routines) {
         if (routine.code.size() >= GreatestRoutine || !RoutineTranslator::canTranslate(routine))
             return nullptr;

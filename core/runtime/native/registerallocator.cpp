@@ -40,6 +40,8 @@ void RegisterAllocator::beginRoutine(const IrRoutine& routine)
             ++m_values[i.a].uses;
         if (shape.b)
             ++m_values[i.b].uses;
+        if (shape.index == IrShape::Index::Register)
+            ++m_values[i.index].uses;
     }
 }
 
@@ -283,27 +285,34 @@ void RegisterAllocator::bringConstant(const Value& value, Unit unit)
 void RegisterAllocator::bringLoad(IrRegister number, Unit unit)
 {
     Value& value = m_values[number];
-    const auto offset = static_cast<std::uint32_t>(value.content);
-    const unsigned bytes = byteWidth(value.type);
-    const x86::Mem source = at(offset, bytes);
-    if (value.type == DataType::Real) {
+    const Range range{static_cast<std::uint32_t>(value.content), byteWidth(value.type)};
+    const bool isWholeByte = value.type == DataType::Bool && value.bit == Value::WholeByte;
+    const Value loaded = loadInto(unit, value.type, at(range.offset, range.bytes), isWholeByte);
+    value.extended = loaded.extended;
+    if (isWholeByte)
+        value.bit = loaded.bit;
+    else if (value.keep)
+        setMemory(unit, range, true);
+}
+
+Value RegisterAllocator::loadInto(Unit unit, DataType type, const x86::Mem& source, bool isWholeByte)
+{
+    Value out;
+    if (type == DataType::Real) {
         m_asm.movss(floatRegister(unit), source);
-    } else if (value.type == DataType::Lreal) {
+    } else if (type == DataType::Lreal) {
         m_asm.movsd(floatRegister(unit), source);
-    } else if (value.type == DataType::Bool && value.bit == Value::WholeByte) {
-        // Any number but 0 is TRUE: negated, it has bits 8 to 31 set.
-        m_asm.movzx(x86::gpd(unit), source);
-        m_asm.neg(x86::gpd(unit));
-        value.bit = 8;
-        return;
-    } else if (bytes < 4) {
-        m_asm.emit(isSigned(value.type) ? x86::Inst::kIdMovsx : x86::Inst::kIdMovzx, x86::gpd(unit), source);
-        value.extended = true;
+    } else if (byteWidth(type) < 4) {
+        m_asm.emit(isSigned(type) ? x86::Inst::kIdMovsx : x86::Inst::kIdMovzx, x86::gpd(unit), source);
+        out.extended = true;
     } else {
-        m_asm.mov(generalRegister(unit, bytes), source);
+        m_asm.mov(generalRegister(unit, byteWidth(type)), source);
     }
-    if (value.keep)
-        setMemory(unit, {offset, bytes}, true);
+    if (isWholeByte) { // any number but 0 is TRUE: negated, it has bits 8 to 31 set
+        m_asm.neg(x86::gpd(unit));
+        out.bit = 8;
+    }
+    return out;
 }
 
 void RegisterAllocator::extend(Unit from, Unit to, DataType type)
@@ -498,11 +507,7 @@ void RegisterAllocator::defineLoad(IrRegister number, DataType type, std::uint32
         link(number, unit);
         return;
     }
-    for (std::uint32_t cached = m_cached & GeneralUnits; cached != 0; cached &= cached - 1) {
-        const auto other = static_cast<Unit>(std::countr_zero(cached));
-        if (m_registers[other].dirty && m_registers[other].memory.overlaps(range))
-            writeBack(other);
-    }
+    beforeLoad(range);
     addPending(number);
 }
 

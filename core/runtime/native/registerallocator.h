@@ -16,6 +16,7 @@ namespace x86 = asmjit::x86;
 inline const x86::Gp Base = x86::rbx;     ///< memory areas, hidden state and scratch, one array
 inline const x86::Gp Budget = x86::r12;   ///< operations the scan may still do, less those of the running segment
 inline const x86::Gp FramePointer = x86::r13;
+inline const x86::Gp Instance = x86::r14; ///< of the running function block: its first byte
 
 /// A machine register by number: 0 to 15 the general ones, 16 to 31 the xmm registers.
 using Unit = unsigned;
@@ -27,10 +28,13 @@ constexpr std::uint32_t bitOf(Unit unit)
     return std::uint32_t{1} << unit;
 }
 inline constexpr std::uint32_t FloatUnits = 0xFFFF0000u;
-/// Without the stack pointer and the three of above.
-inline constexpr std::uint32_t GeneralUnits = 0xFFFFu & ~(bitOf(x86::Gp::kIdBx) | bitOf(x86::Gp::kIdSp) | bitOf(12) | bitOf(13));
+/// Without the stack pointer and the four of above.
+inline constexpr std::uint32_t GeneralUnits = 0xFFFFu & ~(bitOf(x86::Gp::kIdBx) | bitOf(x86::Gp::kIdSp) | bitOf(12) | bitOf(13) | bitOf(14));
 
-/// A place in the array at `Base`.
+/// Offsets from here on count from `Instance`, those below from `Base`.
+inline constexpr std::uint32_t InstanceOffset = 0x80000000;
+
+/// Bytes in the array at `Base`, or in the instance.
 struct Range {
     std::uint32_t offset = 0;
     std::uint32_t bytes = 0;
@@ -71,11 +75,13 @@ struct Snapshot {
 /// Decides where the values of one routine live, one instruction after the other: in machine registers within a straight
 /// line, in slots of the scratch space across labels and calls. Remembers which bytes of memory a register equals, so they
 /// are not read again; bytes whose bits are stored one by one stay in a register until the line ends. Memory operands of
-/// different offsets are known not to overlap, for all addresses are constants that the verifier has checked.
+/// different offsets are known not to overlap, for their addresses are constants that the verifier has checked; only the
+/// instance of a function block may be anywhere among the variables.
 class RegisterAllocator {
 public:
-    RegisterAllocator(x86::Assembler& assembler, SlotAllocator& slots, const ConstantPool& constants)
-        : m_asm(assembler), m_slots(slots), m_constants(constants)
+    /// `variables`: what computed addresses and instances may touch.
+    RegisterAllocator(x86::Assembler& assembler, SlotAllocator& slots, const ConstantPool& constants, const Range& variables)
+        : m_asm(assembler), m_slots(slots), m_constants(constants), m_variables(variables)
     {
     }
 
@@ -126,6 +132,9 @@ public:
     void beforeStore(const Range& range);
     /// Somebody may write them or not, or read them.
     void beforeAccess(const Range& range);
+    /// The same for everything that a computed address may touch.
+    void beforeComputedStore() { beforeAccess(m_variables); }
+    void beforeComputedLoad() { beforeLoad(m_variables); }
     /// The register holds what was just stored there.
     void remember(Unit unit, const Range& range);
     /// The register that holds a byte one of whose bits is about to change; memory gets it when the line ends. NoUnit if
@@ -142,7 +151,14 @@ public:
     void restrictTo(const Snapshot& snapshot);
     void restore(const Snapshot& snapshot);
 
-    x86::Mem at(std::uint32_t offset, unsigned bytes) const { return x86::ptr(Base, static_cast<std::int32_t>(offset), bytes); }
+    x86::Mem at(std::uint32_t offset, unsigned bytes) const
+    {
+        return offset >= InstanceOffset ? x86::ptr(Instance, static_cast<std::int32_t>(offset - InstanceOffset), bytes)
+                                        : x86::ptr(Base, static_cast<std::int32_t>(offset), bytes);
+    }
+
+    /// Reads a value of the type into a register; returns what it says of the bits.
+    Value loadInto(Unit unit, DataType type, const x86::Mem& source, bool isWholeByte);
 
 private:
     struct Register {
@@ -154,6 +170,8 @@ private:
         bool isEmpty() const { return first == NoRegister && memory.bytes == 0; }
     };
 
+    bool mayOverlap(const Range& a, const Range& b) const;
+    void beforeLoad(const Range& range);
     void consume(IrRegister number);
     void link(IrRegister number, Unit unit);
     void unlink(IrRegister number);
@@ -183,6 +201,7 @@ private:
     x86::Assembler& m_asm;
     SlotAllocator& m_slots;
     const ConstantPool& m_constants;
+    Range m_variables;
     std::vector<Value> m_values;
     std::vector<IrRegister> m_pending;  ///< values that are still in memory
     std::array<Register, 32> m_registers;

@@ -23,26 +23,45 @@ void RegisterAllocator::forPending(Function function)
     }
 }
 
+/// An instance lies somewhere among the variables.
+bool RegisterAllocator::mayOverlap(const Range& a, const Range& b) const
+{
+    const bool isInstanceA = a.offset >= InstanceOffset;
+    const bool isInstanceB = b.offset >= InstanceOffset;
+    if (isInstanceA == isInstanceB)
+        return a.overlaps(b);
+    return m_variables.overlaps(isInstanceA ? b : a);
+}
+
 void RegisterAllocator::beforeStore(const Range& range)
 {
     forPending([&](const Value& value) {
-        return range.overlaps({static_cast<std::uint32_t>(value.content), byteWidth(value.type)});
+        return mayOverlap(range, {static_cast<std::uint32_t>(value.content), byteWidth(value.type)});
     });
     for (std::uint32_t cached = m_cached; cached != 0; cached &= cached - 1) {
         const auto unit = static_cast<Unit>(std::countr_zero(cached));
-        if (m_registers[unit].memory.overlaps(range))
-            dropMemory(unit);
+        const Range& memory = m_registers[unit].memory;
+        if (!mayOverlap(memory, range))
+            continue;
+        if (!memory.overlaps(range)) // perhaps not overwritten
+            writeBack(unit);
+        dropMemory(unit);
     }
 }
 
 void RegisterAllocator::beforeAccess(const Range& range)
 {
-    for (std::uint32_t cached = m_cached; cached != 0; cached &= cached - 1) {
+    beforeLoad(range);
+    beforeStore(range);
+}
+
+void RegisterAllocator::beforeLoad(const Range& range)
+{
+    for (std::uint32_t cached = m_cached & GeneralUnits; cached != 0; cached &= cached - 1) {
         const auto unit = static_cast<Unit>(std::countr_zero(cached));
-        if (m_registers[unit].memory.overlaps(range))
+        if (m_registers[unit].dirty && mayOverlap(m_registers[unit].memory, range))
             writeBack(unit);
     }
-    beforeStore(range);
 }
 
 void RegisterAllocator::remember(Unit unit, const Range& range)
@@ -55,12 +74,12 @@ Unit RegisterAllocator::byteForBits(std::uint32_t offset, bool mustHave)
 {
     const Range range{offset, 1};
     forPending([&](const Value& value) {
-        return range.overlaps({static_cast<std::uint32_t>(value.content), byteWidth(value.type)});
+        return mayOverlap(range, {static_cast<std::uint32_t>(value.content), byteWidth(value.type)});
     });
     for (std::uint32_t cached = m_cached; cached != 0; cached &= cached - 1) {
         const auto other = static_cast<Unit>(std::countr_zero(cached));
-        if (m_registers[other].memory.overlaps(range) && m_registers[other].memory != range)
-            dropMemory(other);
+        if (mayOverlap(m_registers[other].memory, range) && m_registers[other].memory != range)
+            dropMemory(other); // no byte for bits: those of the instance have none
     }
     Unit unit = find(range, Bank::General);
     if (unit == NoUnit) {

@@ -1,20 +1,22 @@
 #include "core/runtime/native/routineoutline.h"
 
+#include "core/runtime/native/registerallocator.h"
+
 #include <array>
 
 namespace camwright::native {
 
 namespace {
 
-bool isJump(IrOp op)
+bool mayJump(IrOp op)
 {
-    return op == IrOp::Jump || op == IrOp::JumpIf || op == IrOp::JumpIfNot;
+    return shapeOf(op).index == IrShape::Index::Target;
 }
 
 /// After these no register holds what it held before.
 bool endsLine(const IrInstruction& i)
 {
-    return i.op == IrOp::Call || i.op == IrOp::Return || i.op == IrOp::Jump || (i.op >= IrOp::Timer && i.op <= IrOp::Block);
+    return isCall(i.op) || i.op == IrOp::Move || i.op == IrOp::Return || i.op == IrOp::Jump || (i.op >= IrOp::Timer && i.op <= IrOp::Block);
 }
 
 /// A register kept for longer is likely to be wanted for something else.
@@ -41,7 +43,7 @@ void RoutineOutline::findLabels(const IrRoutine& routine)
 {
     for (std::uint32_t at = 0; at < routine.code.size(); ++at) {
         const IrInstruction& i = routine.code[at];
-        if (!isJump(i.op))
+        if (!mayJump(i.op))
             continue;
         std::uint32_t& label = m_labels[i.index];
         if (label == NoLabel) {
@@ -64,7 +66,8 @@ void RoutineOutline::findRepeats(const IrRoutine& routine, const Memory& memory)
             ++line;
         if (i.op != IrOp::Load && i.op != IrOp::Store)
             continue;
-        const std::uint32_t offset = memory.offsetOf(i.address.area, i.address.byte);
+        const bool isOfInstance = i.address.area == InstanceArea;
+        const std::uint32_t offset = isOfInstance ? InstanceOffset + i.address.byte : memory.offsetOf(i.address.area, i.address.byte);
         const auto bytes = static_cast<std::uint8_t>(byteWidth(i.type));
         Look& look = looks[(offset ^ offset >> 10) % Looks];
         m_again[at] = look.offset == offset && look.bytes == bytes && look.line == line && look.at - at < SoonInstructions;

@@ -56,6 +56,19 @@ const RoutineTranslator::Row RoutineTranslator::Rows[] = {
     {IrOp::CounterArm, &RoutineTranslator::element},
     {IrOp::CounterReset, &RoutineTranslator::element},
     {IrOp::Block, &RoutineTranslator::element},
+    {IrOp::CallOn, &RoutineTranslator::callOn},
+    {IrOp::CallAt, &RoutineTranslator::callAt},
+    {IrOp::Select, &RoutineTranslator::select},
+    {IrOp::Place, &RoutineTranslator::place},
+    {IrOp::Reach, &RoutineTranslator::guard},
+    {IrOp::Bound, &RoutineTranslator::guard},
+    {IrOp::Element, &RoutineTranslator::locateElement},
+    {IrOp::LoadAt, &RoutineTranslator::loadAt},
+    {IrOp::StoreAt, &RoutineTranslator::storeAt},
+    {IrOp::LoadElement, &RoutineTranslator::loadElement},
+    {IrOp::StoreElement, &RoutineTranslator::storeElement},
+    {IrOp::Move, &RoutineTranslator::move},
+    {IrOp::Now, &RoutineTranslator::now},
 };
 
 RoutineTranslator::Emit RoutineTranslator::emitterOf(IrOp op)
@@ -72,13 +85,13 @@ RoutineTranslator::Emit RoutineTranslator::emitterOf(IrOp op)
 
 bool RoutineTranslator::canTranslate(const IrRoutine& routine)
 {
-    return routine.kind != RoutineKind::Block
-        && std::ranges::all_of(routine.code, [](const IrInstruction& i) { return emitterOf(i.op) && i.address.area != InstanceArea; });
+    return std::ranges::all_of(routine.code, [](const IrInstruction& i) { return emitterOf(i.op) != nullptr; });
 }
 
 RoutineTranslator::RoutineTranslator(ProgramTranslation& program, const IrRoutine& routine, std::uint32_t index)
     : m_program(program), m_asm(program.assembler), m_routine(routine), m_index(index), m_outline(routine, program.memory),
-      m_registers(program.assembler, program.slots, program.constants)
+      m_registers(program.assembler, program.slots, program.constants,
+                  {program.memory.offsetOf(VariablesArea, 0), static_cast<std::uint32_t>(program.memory.area(VariablesArea).size())})
 {
     m_labels.resize(m_outline.labelCount() + std::size_t{1});
     for (std::size_t k = 1; k < m_labels.size(); ++k)

@@ -79,6 +79,18 @@ private:
     void returnFromRoutine(const IrInstruction& i);
     void element(const IrInstruction& i);
     void interpreted(const IrInstruction& i);
+    void callOn(const IrInstruction& i);
+    void callAt(const IrInstruction& i);
+    void select(const IrInstruction& i);
+    void place(const IrInstruction& i);
+    void guard(const IrInstruction& i);
+    void locateElement(const IrInstruction& i);
+    void loadAt(const IrInstruction& i);
+    void storeAt(const IrInstruction& i);
+    void loadElement(const IrInstruction& i);
+    void storeElement(const IrInstruction& i);
+    void move(const IrInstruction& i);
+    void now(const IrInstruction& i);
 
     // BOOLs.
     void logicOfConstant(const IrInstruction& i, IrRegister constant, IrRegister other);
@@ -89,8 +101,8 @@ private:
     void storeWholeByte(const IrInstruction& i);
     /// 0 or 1 in a register of its own; one use.
     x86::Gp ownZeroOrOne(IrRegister number);
-    /// Sets the flags by a BOOL and tells under which condition it is true; one use. Settles before.
-    x86::CondCode testBool(IrRegister number);
+    /// Sets the flags by a BOOL and tells under which condition it is true; one use.
+    x86::CondCode testBool(IrRegister number, bool settles);
 
     // Numbers.
     void storeFloat(const IrInstruction& i);
@@ -107,6 +119,14 @@ private:
     void floatToFloat(const IrInstruction& i);
     void floatToInteger(const IrInstruction& i);
     void setCondition(const IrInstruction& i, x86::CondCode condition, x86::Gp result);
+
+    // Computed places.
+    x86::Mem elementPlace(const IrInstruction& i);
+    x86::Mem pointedPlace(const IrInstruction& i, IrRegister pointer);
+    void loadFrom(const IrInstruction& i, const x86::Mem& source);
+    void storeTo(const IrInstruction& i, const x86::Mem& place);
+    void callInstance(const IrInstruction& i, const x86::Mem& instance);
+    std::uint32_t variablesOffset() const { return m_program.memory.offsetOf(VariablesArea, 0); }
 
     // Control flow.
     bool isJumpOn(IrRegister number) const;
@@ -128,14 +148,19 @@ private:
     void coldLrealNaN(const Cold& c);
     void coldExtremeNaN(const Cold& c);
     void coldOverflow(const Cold& c);
+    void coldGuard(const Cold& c);
+    void coldNaNToStore(const Cold& c);
     void callFault(std::uint32_t at);
 
     // Handlers.
     void putArgument(IrRegister number, DataType type, std::uint32_t offset);
-    void callHandler(Handler handler, std::uint32_t extra);
+    Step& callHandler(Handler handler, std::uint32_t extra);
     void takeResult(const IrInstruction& i);
 
-    std::uint32_t offsetOf(const IrAddress& address) const { return m_program.memory.offsetOf(address.area, address.byte); }
+    std::uint32_t offsetOf(const IrAddress& address) const
+    {
+        return address.area == InstanceArea ? InstanceOffset + address.byte : m_program.memory.offsetOf(address.area, address.byte);
+    }
     x86::Mem frameField(std::size_t offset, unsigned bytes) const
     {
         return x86::ptr(FramePointer, static_cast<std::int32_t>(offset), bytes);

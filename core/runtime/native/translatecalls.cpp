@@ -20,7 +20,7 @@ void RoutineTranslator::putArgument(IrRegister number, DataType type, std::uint3
 }
 
 /// Nothing survives in registers, and memory is up to date before and after.
-void RoutineTranslator::callHandler(Handler handler, std::uint32_t extra)
+Step& RoutineTranslator::callHandler(Handler handler, std::uint32_t extra)
 {
     m_registers.forget();
     Step& step = m_program.steps.emplace_back();
@@ -32,6 +32,7 @@ void RoutineTranslator::callHandler(Handler handler, std::uint32_t extra)
     m_asm.mov(x86::rdi, FramePointer);
     m_asm.mov(x86::rsi, reinterpret_cast<std::uintptr_t>(&step));
     m_asm.call(x86::ptr(x86::rsi, static_cast<std::int32_t>(offsetof(Step, run)), 8));
+    return step;
 }
 
 void RoutineTranslator::takeResult(const IrInstruction& i)

@@ -92,7 +92,7 @@ void RoutineTranslator::jumpIf(const IrInstruction& i)
         }
         return;
     }
-    const x86::CondCode condition = testBool(i.a);
+    const x86::CondCode condition = testBool(i.a, true);
     jumpWhen(whenTrue ? condition : x86::negateCond(condition), m_at, i.index);
 }
 

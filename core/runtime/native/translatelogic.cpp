@@ -208,14 +208,15 @@ void RoutineTranslator::edge(const IrInstruction& i)
     m_registers.defineBool(i.dest, result.id(), 0, false, true);
 }
 
-x86::CondCode RoutineTranslator::testBool(IrRegister number)
+x86::CondCode RoutineTranslator::testBool(IrRegister number, bool settles)
 {
     const Value value = m_registers[number];
     const x86::CondCode whenTrue = value.inverted ? x86::CondCode::kZero : x86::CondCode::kNotZero;
     const bool isWaiting = value.where == Value::Where::Memory && !value.keep;
     if (isWaiting || value.where == Value::Where::Slot) {
         m_registers.use(number);
-        m_registers.settle();
+        if (settles)
+            m_registers.settle();
         if (!isWaiting)
             m_asm.test(m_registers.at(value.slot, 4), static_cast<std::int32_t>(1u << value.bit));
         else if (value.bit == Value::WholeByte)
@@ -227,7 +228,8 @@ x86::CondCode RoutineTranslator::testBool(IrRegister number)
     const Unit unit = m_registers.bringBool(number);
     const unsigned bit = m_registers[number].bit; // loading may have moved it
     m_registers.use(number);
-    m_registers.settle();
+    if (settles)
+        m_registers.settle();
     if (bit < 8)
         m_asm.test(x86::gpb(unit), static_cast<std::int8_t>(1u << bit));
     else

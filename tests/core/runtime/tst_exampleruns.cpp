@@ -132,5 +132,22 @@ TEST_F(ExampleRunsTest, TheTs600KeepsItsSystemFlags)
     EXPECT_FALSE(bit("SM0"));
 }
 
+TEST(ExecutorsInTheEngineTest, theExamplesRunAlikeInInterpreterAndMachineCode)
+{
+    for (const char* const example : {"kinco-feeder", "ts600-marquee"}) {
+        ControllerEngine interpreted(EngineOptions{7, ExecutorChoice::Interpreter});
+        ControllerEngine native(EngineOptions{7, ExecutorChoice::Native});
+        for (ControllerEngine* engine : {&interpreted, &native}) {
+            ASSERT_TRUE(engine->load(imageOf(example)));
+            ASSERT_TRUE(engine->apply(input::Run{}));
+        }
+        for (int second = 1; second <= 12; ++second) {
+            interpreted.step(1s);
+            native.step(1s);
+            ASSERT_TRUE(interpreted.saveState() == native.saveState()) << example << ", second " << second;
+        }
+    }
+}
+
 } // namespace
 } // namespace camwright

@@ -43,7 +43,8 @@ inline std::uint64_t awkwardBits(IrRandom& random, DataType type)
 
 /// Writes programs that the verifier takes, of every operation and type: a few bytes of memory, so that everything overlaps
 /// and nothing is aligned; registers read many times and much later; jumps forward over any stretch and back, so that some
-/// scans end by their budget; subroutines, timers, counters, edges, blocks, a fault flag in the midst of it all.
+/// scans end by their budget; subroutines, timers, counters, edges, blocks, a fault flag in the midst of it all; function
+/// blocks with instances that overlap, indices in and out of their bounds, pointers.
 class IrGenerator {
 public:
     explicit IrGenerator(std::uint64_t seed) : m_random{seed * 2 + 1} {}
@@ -51,14 +52,18 @@ public:
     const IrBuilder& generate()
     {
         m_places = 4 + m_random.next(28);
+        m_b.image().layout.areas.push_back({VariablesArea, "", VariableBytes, 0, 0});
         makeTables();
         const std::uint32_t subroutines = m_random.next(3) == 0 ? 1 + m_random.next(2) : 0;
+        m_block = m_random.next(2) ? subroutines + 1 : 0;
         body(subroutines == 0 ? 0 : 1, subroutines);
         for (std::uint32_t r = 1; r <= subroutines; ++r) {
             m_b.routine("Sub" + std::to_string(r));
             m_known.clear();
             body(r + 1, subroutines);
         }
+        if (m_block > 0)
+            functionBlock();
         return m_b;
     }
 
@@ -91,6 +96,134 @@ private:
             m_b.image().layout.instructionErrorFlag = bitAddress(A, m_random.next(m_places), 5);
     }
 
+    void functionBlock()
+    {
+        m_b.routine("Block");
+        IrRoutine& routine = m_b.image().program.routines.back();
+        routine.kind = RoutineKind::Block;
+        routine.instanceBytes = InstanceBytes;
+        m_known.clear();
+        m_isInBlock = true;
+        m_block = 0;
+        body(0, 0);
+    }
+
+    void callBlock()
+    {
+        const std::uint32_t offset = m_random.next(VariableBytes - InstanceBytes);
+        if (m_random.next(2)) {
+            m_b.control(IrOp::CallOn, m_block);
+            m_b.code().back().address = byteAt(offset, VariablesArea);
+        } else {
+            const IrRegister pointer = placed(offset, InstanceBytes);
+            m_b.control(IrOp::CallAt, m_block, pointer);
+        }
+    }
+
+    IrRegister placed(std::uint32_t offset, std::uint32_t bytes)
+    {
+        const bool isOfInstance = m_isInBlock && bytes <= 8 && m_random.next(2);
+        const IrRegister out = m_b.op(IrOp::Place, Dword, 0);
+        IrInstruction& i = m_b.code().back();
+        i.a = NoRegister;
+        i.address = isOfInstance ? byteAt(m_random.next(InstanceBytes - 8), InstanceArea) : byteAt(offset, VariablesArea);
+        i.constant = bytes;
+        return out;
+    }
+
+    /// Something that may fail, and what is done when it does not.
+    void guarded()
+    {
+        const bool isBound = m_random.next(2);
+        const DataType from = isBound ? Dint : Dword;
+        const IrRegister any = value(from);
+        const IrRegister mask = m_b.constant(from, isBound ? 7 : 127);
+        const IrRegister small = m_random.next(6) == 0 ? any : m_b.op(IrOp::And, from, any, mask);
+        const auto lower = static_cast<std::uint32_t>(m_random.next(3)) - 1;
+        const IrRegister dest = m_b.op(isBound ? IrOp::Bound : IrOp::Reach, from, small);
+        const std::size_t guard = m_b.code().size() - 1;
+        m_b.code().back().constant = isBound ? irConstant(lower, 6) : 16;
+        const auto known = m_known;
+        for (std::uint32_t k = 0, n = 1 + m_random.next(4); k < n; ++k) {
+            if (m_random.next(3) == 0)
+                statement();
+            else if (isBound)
+                useIndex(dest);
+            else
+                usePointer(dest);
+        }
+        m_known = known;
+        m_b.land(guard);
+    }
+
+    void useIndex(IrRegister index)
+    {
+        constexpr std::uint32_t Strides[] = {1, 2, 3, 4, 8, 12};
+        const std::uint32_t stride = m_random.pick(Strides);
+        const DataType type = m_random.pick(AllTypes);
+        const bool isOfInstance = m_isInBlock && stride <= 2 && m_random.next(2);
+        const IrAddress address = isOfInstance ? byteAt(m_random.next(InstanceBytes - 5 * stride - 8), InstanceArea) : byteAt(m_random.next(20), VariablesArea);
+        const std::uint32_t kind = m_random.next(3);
+        if (kind == 0) {
+            const IrRegister pointer = placed(m_random.next(20), 5 * 12 + 16);
+            const IrRegister element = m_b.op(IrOp::Element, Dword, pointer, index);
+            m_b.code().back().constant = irConstant(m_random.pick(Strides), 16);
+            const bool reaches = m_b.code()[m_b.code().size() - 2].address.area == VariablesArea;
+            if (reaches)
+                usePointer(element);
+            return;
+        }
+        if (kind == 1)
+            know(type, m_b.op(IrOp::LoadElement, type, NoRegister, index));
+        else
+            m_b.control(IrOp::StoreElement, 0, value(type), index);
+        IrInstruction& i = m_b.code().back();
+        i.type = type;
+        i.address = address;
+        i.constant = stride;
+    }
+
+    /// Sixteen bytes from the pointer.
+    void usePointer(IrRegister pointer)
+    {
+        const DataType type = m_random.pick(AllTypes);
+        const IrAddress address = byteAt(m_random.next(9), VariablesArea);
+        switch (m_random.next(4)) {
+        case 0: {
+            const std::uint32_t bytes = m_random.next(17);
+            const IrRegister other = placed(m_random.next(VariableBytes - 16), 16);
+            const bool swaps = m_random.next(2);
+            m_b.control(IrOp::Move, 0, swaps ? other : pointer, swaps ? pointer : other);
+            m_b.code().back().type = Dword;
+            m_b.code().back().constant = bytes;
+            return;
+        }
+        case 1:
+            know(type, m_b.op(IrOp::LoadAt, type, pointer));
+            break;
+        default:
+            m_b.control(IrOp::StoreAt, 0, value(type), pointer);
+            break;
+        }
+        m_b.code().back().type = type;
+        m_b.code().back().address = address;
+    }
+
+    void selectSome()
+    {
+        const DataType type = m_random.pick(AllTypes);
+        const IrRegister condition = value(Bool);
+        const IrRegister first = value(type);
+        const IrRegister second = value(type);
+        know(type, m_b.indexed(IrOp::Select, type, second, condition, first));
+    }
+
+    void clock()
+    {
+        m_b.op(IrOp::Now, Lint, NoRegister);
+        know(Lint, m_b.code().back().dest);
+    }
+
     /// A routine that may call those from `firstCallee` on.
     void body(std::uint32_t firstCallee, std::uint32_t lastCallee)
     {
@@ -105,6 +238,10 @@ private:
                 m_b.control(IrOp::Call, firstCallee + m_random.next(lastCallee - firstCallee + 1));
             else if (kind == 5 && m_random.next(20) == 0)
                 leaveSometimes();
+            else if (kind == 6 && m_block > 0)
+                callBlock();
+            else if (kind == 7 || kind == 8)
+                guarded();
             else
                 statement();
         }
@@ -142,7 +279,7 @@ private:
 
     void statement()
     {
-        switch (m_random.next(16)) {
+        switch (m_random.next(18)) {
         case 0:
         case 1:
         case 2: return logic();
@@ -158,6 +295,8 @@ private:
         case 12: return chain();
         case 13: return m_random.next(3) == 0 ? element() : logic();
         case 14: return shiftSome();
+        case 15: return selectSome();
+        case 16: return m_random.next(4) == 0 ? clock() : selectSome();
         default: return edge();
         }
     }
@@ -274,7 +413,10 @@ private:
 
     IrAddress place(DataType type)
     {
-        const AreaId area = m_random.next(3) ? A : B;
+        constexpr AreaId Areas[] = {A, A, B, VariablesArea};
+        if (m_isInBlock && m_random.next(2))
+            return byteAt(m_random.next(InstanceBytes - 8), InstanceArea);
+        const AreaId area = m_random.pick(Areas);
         const std::uint32_t byte = m_random.next(m_places);
         if (type == Bool && m_random.next(4) != 0)
             return bitAt(byte, static_cast<std::uint8_t>(m_random.next(8)), area);
@@ -307,8 +449,13 @@ private:
         return number;
     }
 
+    static constexpr std::uint32_t VariableBytes = 128;
+    static constexpr std::uint32_t InstanceBytes = 24;
+
     IrRandom m_random;
     IrBuilder m_b;
+    std::uint32_t m_block = 0; ///< number of the routine of the function block, 0: none to call
+    bool m_isInBlock = false;
     std::uint32_t m_places = 8;
     std::map<DataType, std::vector<IrRegister>> m_known;
 };
