@@ -2112,15 +2112,15 @@
     </message>
     <message>
         <source>F11 builds, Alt+F8 goes online, Shift+F8 stops.</source>
-        <translation>F11 编译，Alt+F8 联机，Shift+F8 停止。</translation>
+        <translation>F11 编译，Alt+F8 转到在线，Shift+F8 停止。</translation>
     </message>
     <message>
         <source>F11 goes online, Ctrl+Shift+B builds, F8 goes to the next problem.</source>
-        <translation>F11 联机，Ctrl+Shift+B 编译，F8 转到下一个问题。</translation>
+        <translation>F11 转到在线，Ctrl+Shift+B 编译，F8 转到下一个问题。</translation>
     </message>
     <message>
         <source>F4 builds, F3 goes online; F5 to F10 start nothing.</source>
-        <translation>F4 编译，F3 联机；F5 至 F10 不启动任何操作。</translation>
+        <translation>F4 编译，F3 转到在线；F5 至 F10 不启动任何操作。</translation>
     </message>
     <message>
         <source>Like CODESYS</source>
@@ -3077,11 +3077,11 @@
     <name>camwright::EditorArea</name>
     <message>
         <source>Open an object from the project tree, or press %1 to find one.</source>
-        <translation>从项目树中打开一个对象，或按 %1 查找。</translation>
+        <translation>从工程树打开一个对象，或按 %1 查找。</translation>
     </message>
     <message>
         <source>Open an object from the project tree.</source>
-        <translation>从项目树中打开一个对象。</translation>
+        <translation>从工程树打开一个对象。</translation>
     </message>
 </context>
 <context>
@@ -3127,11 +3127,11 @@
     </message>
     <message>
         <source>Next hit (Enter)</source>
-        <translation>下一个匹配（Enter）</translation>
+        <translation>下一处匹配 (Enter)</translation>
     </message>
     <message>
         <source>Previous hit</source>
-        <translation>上一个匹配</translation>
+        <translation>上一处匹配</translation>
     </message>
     <message>
         <source>Regular expression; \1 in the replacement stands for the first group</source>
