@@ -147,6 +147,8 @@ void MainWindow::buildDocks()
     for (QWidget* dock : {static_cast<QWidget*>(m_left), static_cast<QWidget*>(m_right), static_cast<QWidget*>(m_bottom)})
         dock->setMinimumWidth(180);
     connect(m_editors, &EditorArea::windowMade, this, &MainWindow::equipWindow);
+    for (const PanelStack* stack : {m_bottom, m_right})
+        connect(stack, &PanelStack::abilitiesChanged, this, &MainWindow::refreshActions);
     connect(m_editors, &EditorArea::currentChanged, this, [this] {
         const Editor* editor = m_editors->current();
         m_right->setExtraPage(editor ? const_cast<Editor*>(editor)->propertiesWidget() : nullptr, tr("Properties"));

@@ -80,6 +80,7 @@ Panel* PanelStack::panel(const QString& id)
             entry.panel = entry.factory.create(m_context);
             m_pages->addWidget(entry.panel);
             connect(entry.panel, &Panel::badgeChanged, this, [this, i] { refreshBadge(int(i)); });
+            connect(entry.panel, &Panel::abilitiesChanged, this, &PanelStack::abilitiesChanged);
             refreshBadge(int(i));
         }
         return entry.panel;

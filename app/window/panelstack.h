@@ -29,6 +29,7 @@ public:
 
 signals:
     void currentChanged();
+    void abilitiesChanged();
 
 private:
     struct Entry {

@@ -29,7 +29,7 @@ void addWindowActions(ActionCatalogue& actions)
         {"edit.selectAll", QT_TRANSLATE_NOOP("Actions", "Select &All"), QT_TRANSLATE_NOOP("Actions", "Selects everything in the view."), "", "Ctrl+A", Editor},
         {"edit.find", QT_TRANSLATE_NOOP("Actions", "&Find..."), QT_TRANSLATE_NOOP("Actions", "Finds text in the current view."), "search", "Ctrl+F", Editor},
         {"edit.replace", QT_TRANSLATE_NOOP("Actions", "R&eplace..."), QT_TRANSLATE_NOOP("Actions", "Finds text and replaces it."), "replace", "Ctrl+H", Editor},
-        {"edit.quickFix", QT_TRANSLATE_NOOP("Actions", "&Quick Fix"), QT_TRANSLATE_NOOP("Actions", "Offers ways out of the problem under the cursor."), "", "Alt+Return", Editor},
+        {"edit.quickFix", QT_TRANSLATE_NOOP("Actions", "&Quick Fix"), QT_TRANSLATE_NOOP("Actions", "Offers ways out of the problem under the cursor."), "", "Alt+Return, Ctrl+.", Editor},
 
         {"go.anything", QT_TRANSLATE_NOOP("Actions", "&Find Anything..."), QT_TRANSLATE_NOOP("Actions", "Finds any object, variable or axis value by a part of its name."), "search", "Ctrl+P"},
         {"go.action", QT_TRANSLATE_NOOP("Actions", "Find A&ction..."), QT_TRANSLATE_NOOP("Actions", "Finds any action by a part of its name."), "keyboard", "Ctrl+Shift+P"},

@@ -37,6 +37,12 @@ void FieldCheck::operator()(const char* key, const Field<AxisType>& field)
         report(Code::FieldNotOneOf, key, {field.text(), key, "linear, rotary"});
 }
 
+void FieldCheck::operator()(const char* key, const Field<bool>& field)
+{
+    if (!field.isValid())
+        report(Code::FieldNotOneOf, key, {field.text(), key, "false, true"});
+}
+
 void FieldCheck::checkRange(const char* key, double value, const std::string& text)
 {
     const auto range = fieldRange(m_object.kind, key);

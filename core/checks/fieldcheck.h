@@ -13,6 +13,7 @@ public:
     void operator()(const char* key, const Field<std::int64_t>& field);
     void operator()(const char* key, const Field<double>& field);
     void operator()(const char* key, const Field<AxisType>& field);
+    void operator()(const char* key, const Field<bool>& field);
     void operator()(const char*, const std::string&) {}
 
 private:

@@ -25,6 +25,7 @@ void visitFields(Settings& controller, Visit&& visit)
     visit("model", controller.model);
     visit("scan_period_us", controller.scanPeriodUs);
     visit("watchdog_ms", controller.watchdogMs);
+    visit("strict_kinco", controller.strictKinco);
     visit("comment", controller.comment);
 }
 

@@ -33,6 +33,7 @@ struct ControllerSettings {
     Field<std::int64_t> scanPeriodUs{0};   ///< 0: free-running
     Field<std::int64_t> watchdogMs{500};
     std::string comment;
+    Field<bool> strictKinco{false};        ///< Kinco: refuse AND( and OR(, which the vendor's tool is not known to take (CONTRACTS 32)
 
     bool operator==(const ControllerSettings&) const = default;
 };

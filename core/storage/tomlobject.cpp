@@ -27,6 +27,7 @@ bool hasOrder(ObjectKind kind)
 std::string textOf(const std::string& value) { return tomlString(value); }
 std::string textOf(std::int64_t value) { return std::to_string(value); }
 std::string textOf(double value) { return tomlNumber(value); }
+std::string textOf(bool value) { return value ? "true" : "false"; }
 std::string textOf(AxisType value) { return tomlString(axisTypeName(value)); }
 
 template <class T>
@@ -58,6 +59,12 @@ struct LineWriter {
     void operator()(const char* key, const T& value) const
     {
         lines.emplace_back(key, textOf(value));
+    }
+    /// A choice that is off by default stands in the file only where it is on, or is not legal.
+    void operator()(const char* key, const Field<bool>& value) const
+    {
+        if (!value.isValid() || value.value())
+            lines.emplace_back(key, textOf(value));
     }
     void operator()(const char* key, const std::string& value) const
     {
@@ -208,6 +215,10 @@ private:
             return static_cast<double>(value.integer);
         const bool legal = value.kind == TomlValue::Kind::Float && std::isfinite(value.number);
         return legal ? Field<double>(value.number) : Field<double>::typed(typedText(value));
+    }
+    static Field<bool> fieldOf(const TomlValue& value, bool)
+    {
+        return value.kind == TomlValue::Kind::Boolean ? Field<bool>(value.text == "true") : Field<bool>::typed(typedText(value));
     }
     static Field<AxisType> fieldOf(const TomlValue& value, AxisType)
     {

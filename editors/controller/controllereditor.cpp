@@ -119,9 +119,39 @@ QWidget* ControllerEditor::buildForm()
     rows->addRow(tr("Watchdog"), m_watchdog);
     auto* layout = new QVBoxLayout(page);
     layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(Theme::RowGap);
     layout->addWidget(new SectionHeader(tr("Controller"), {}, page));
     layout->addLayout(rows);
+    layout->addWidget(buildStrictRow(page));
     return page;
+}
+
+/// A row of its own: it is absent for families that have no such rule.
+QWidget* ControllerEditor::buildStrictRow(QWidget* page)
+{
+    m_strictRow = new QWidget(page);
+    m_strict = new Switch(tr("Strict Kinco"), m_strictRow);
+    describe(m_strict, "strict_kinco", tr("Strict Kinco"),
+        tr("Programs may hold only what KincoBuilder is known to take: nested branches, AND( and OR(, are refused, and a quick fix writes them to marker bits."));
+    connect(m_strict, &QAbstractButton::clicked, this, [this](bool on) {
+        editObject<ControllerSettings>(context().document(), key(), on ? tr("Make programs strict Kinco") : tr("Allow nested branches"), "strict_kinco",
+            [&](ControllerSettings& settings) { settings.strictKinco = on; });
+    });
+    auto* words = new QLabel(tr("Strict Kinco: no nested branches, AND( and OR("), m_strictRow);
+    words->setBuddy(m_strict);
+    m_strictProblem = new QLabel(m_strictRow);
+    m_strictProblem->setStyleSheet(QStringLiteral("color: %1").arg(theme().name(Role::Error)));
+    m_strictProblem->setWordWrap(true);
+    m_strictProblem->hide();
+    auto* line = new QHBoxLayout;
+    line->setSpacing(Theme::RowGap);
+    line->addWidget(m_strict);
+    line->addWidget(words, 1);
+    auto* column = new QVBoxLayout(m_strictRow);
+    column->setContentsMargins(0, Theme::RowGap, 0, 0);
+    column->addLayout(line);
+    column->addWidget(m_strictProblem);
+    return m_strictRow;
 }
 
 QWidget* ControllerEditor::buildLimits()
@@ -170,6 +200,8 @@ void ControllerEditor::refresh()
     m_model->setCurrentIndex(index < 0 ? m_model->count() - 1 : index);
     m_scanPeriod->setField(settings->scanPeriodUs);
     m_watchdog->setField(settings->watchdogMs);
+    m_strictRow->setVisible(settings->family == "kinco");
+    m_strict->setChecked(settings->strictKinco.valueOr(false));
     refreshLimits(*settings);
 }
 
@@ -208,13 +240,15 @@ void ControllerEditor::refreshLimits(const ControllerSettings& settings)
 
 void ControllerEditor::refreshProblems()
 {
-    QString model, scan, watchdog;
+    QString model, scan, watchdog, strict;
     for (const Diagnostic& d : context().document().diagnosticsOf(key())) {
         const QString sentence = words::sentence(d);
         if (d.place.field == "scan_period_us")
             scan = sentence;
         else if (d.place.field == "watchdog_ms")
             watchdog = sentence;
+        else if (d.place.field == "strict_kinco")
+            strict = sentence;
         else
             model = sentence;
     }
@@ -222,6 +256,8 @@ void ControllerEditor::refreshProblems()
     m_modelProblem->setVisible(!model.isEmpty());
     m_scanPeriod->setProblem(scan);
     m_watchdog->setProblem(watchdog);
+    m_strictProblem->setText(strict);
+    m_strictProblem->setVisible(!strict.isEmpty());
 }
 
 void ControllerEditor::reveal(const Place& place)
@@ -230,6 +266,8 @@ void ControllerEditor::reveal(const Place& place)
         m_scanPeriod->lineEdit()->setFocus(Qt::OtherFocusReason);
     else if (place.field == "watchdog_ms")
         m_watchdog->lineEdit()->setFocus(Qt::OtherFocusReason);
+    else if (place.field == "strict_kinco")
+        m_strict->setFocus(Qt::OtherFocusReason);
     else
         m_model->setFocus(Qt::OtherFocusReason);
 }

@@ -11,6 +11,7 @@ class QTableWidget;
 namespace camwright {
 
 class QuantityField;
+class Switch;
 
 /// The controller's page: model, scan period, watchdog, and what the chosen model offers.
 class ControllerEditor : public Editor {
@@ -28,6 +29,7 @@ private:
     void documentChanged(const ProjectChange& change);
     void refresh();
     void refreshProblems();
+    QWidget* buildStrictRow(QWidget* page);
     void refreshLimits(const ControllerSettings& settings);
 
     QComboBox* m_model = nullptr;
@@ -35,6 +37,9 @@ private:
     QLabel* m_family = nullptr;
     QuantityField* m_scanPeriod = nullptr;
     QuantityField* m_watchdog = nullptr;
+    Switch* m_strict = nullptr;
+    QWidget* m_strictRow = nullptr;
+    QLabel* m_strictProblem = nullptr;
     QTableWidget* m_limits = nullptr;
 };
 

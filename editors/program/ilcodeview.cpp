@@ -1,10 +1,12 @@
 #include "editors/program/ilcodeview.h"
 
 #include "editors/program/illexer.h"
+#include "editors/program/indicators.h"
 #include "editors/shell/icons.h"
 #include "editors/shell/theme.h"
 
 #include <QKeyEvent>
+#include <QScrollBar>
 
 #include <algorithm>
 
@@ -12,9 +14,8 @@ namespace camwright {
 
 namespace {
 
-constexpr int ErrorIndicator = 8, WarningIndicator = 9;
-constexpr int LineMargin = 0, MarkerMargin = 1;
-constexpr int ErrorMarker = 1, WarningMarker = 2;
+constexpr int LineMargin = 0, MarkerMargin = 1, FixMargin = 2;
+constexpr int ErrorMarker = 1, WarningMarker = 2, FixMarker = 3;
 constexpr int HoverDelayMs = 400;
 
 bool isWordByte(char c)
@@ -53,6 +54,11 @@ IlCodeView::IlCodeView(const Dialect& dialect, QWidget* parent)
     connect(this, &QsciScintillaBase::SCN_DWELLEND, this, [this](int, int, int) { emit hovered(-1, {}); });
     connect(this, &QsciScintilla::linesChanged, this, &IlCodeView::updateNumberMargin);
     connect(&theme(), &Theme::changed, this, &IlCodeView::applyTheme);
+    connect(verticalScrollBar(), &QScrollBar::valueChanged, this, &IlCodeView::viewChanged);
+    connect(this, &QsciScintilla::marginClicked, this, [this](int margin, int line, Qt::KeyboardModifiers) {
+        if (margin == FixMargin && line == m_fixLine)
+            emit fixesRequested(line);
+    });
 }
 
 void IlCodeView::setUpMargins()
@@ -62,7 +68,11 @@ void IlCodeView::setUpMargins()
     setMarginType(MarkerMargin, SymbolMargin);
     setMarginWidth(MarkerMargin, 20);
     setMarginMarkerMask(MarkerMargin, (1 << ErrorMarker) | (1 << WarningMarker));
-    for (int margin = 2; margin < 5; ++margin)
+    setMarginType(FixMargin, SymbolMargin);
+    setMarginWidth(FixMargin, 20);
+    setMarginMarkerMask(FixMargin, 1 << FixMarker);
+    setMarginSensitivity(FixMargin, true);
+    for (int margin = 3; margin < 5; ++margin)
         setMarginWidth(margin, 0);
 }
 
@@ -72,6 +82,11 @@ void IlCodeView::setUpIndicators()
     indicatorDefine(SquiggleLowIndicator, WarningIndicator);
     setIndicatorDrawUnder(true, ErrorIndicator);
     setIndicatorDrawUnder(true, WarningIndicator);
+    indicatorDefine(PlainIndicator, EnergisedIndicator);
+    SendScintilla(SCI_INDICSETSTYLE, static_cast<unsigned long>(EnergisedIndicator), static_cast<long>(INDIC_STRAIGHTBOX));
+    SendScintilla(SCI_INDICSETALPHA, static_cast<unsigned long>(EnergisedIndicator), 40L);
+    SendScintilla(SCI_INDICSETOUTLINEALPHA, static_cast<unsigned long>(EnergisedIndicator), 110L);
+    setIndicatorDrawUnder(true, EnergisedIndicator);
 }
 
 void IlCodeView::applyTheme()
@@ -88,8 +103,20 @@ void IlCodeView::applyTheme()
     setIndicatorForegroundColor(theme().color(Role::Warn), WarningIndicator);
     markerDefine(iconPixmap(QStringLiteral("error"), 14, Role::Error, devicePixelRatioF()), ErrorMarker);
     markerDefine(iconPixmap(QStringLiteral("warning"), 14, Role::Warn, devicePixelRatioF()), WarningMarker);
+    markerDefine(iconPixmap(QStringLiteral("quick-fix"), 14, Role::Accent, devicePixelRatioF()), FixMarker);
+    setIndicatorForegroundColor(theme().color(Role::Energised), EnergisedIndicator);
     setPaper(theme().color(Role::Surface));
     updateNumberMargin();
+}
+
+void IlCodeView::setFixLine(int line)
+{
+    if (line == m_fixLine)
+        return;
+    markerDeleteAll(FixMarker);
+    m_fixLine = line;
+    if (line >= 0)
+        markerAdd(line, FixMarker);
 }
 
 void IlCodeView::updateNumberMargin()
@@ -199,6 +226,21 @@ std::vector<const Diagnostic*> IlCodeView::diagnosticsAt(int position) const
 }
 
 // Places
+
+std::pair<int, int> IlCodeView::visibleLines() const
+{
+    const auto first = SendScintilla(SCI_GETFIRSTVISIBLELINE);
+    const auto count = SendScintilla(SCI_LINESONSCREEN);
+    const auto line = [this](long visible) { return static_cast<int>(SendScintilla(SCI_DOCLINEFROMVISIBLE, static_cast<unsigned long>(visible))); };
+    return {line(first), std::min(line(first + count), lines() - 1)};
+}
+
+QPoint IlCodeView::pointOf(int position) const
+{
+    const auto x = SendScintilla(SCI_POINTXFROMPOSITION, 0UL, static_cast<long>(position));
+    const auto y = SendScintilla(SCI_POINTYFROMPOSITION, 0UL, static_cast<long>(position)) + SendScintilla(SCI_TEXTHEIGHT, 0UL);
+    return viewport()->mapToGlobal(QPoint(static_cast<int>(x), static_cast<int>(y)));
+}
 
 int IlCodeView::position() const
 {

@@ -5,9 +5,12 @@
 #include "editors/document/editcommands.h"
 #include "editors/program/findbar.h"
 #include "editors/program/ilcodeview.h"
+#include "editors/program/livetext.h"
 #include "editors/program/programassist.h"
+#include "editors/program/indicators.h"
 #include "editors/shell/actions.h"
 #include "editors/shell/context.h"
+#include "editors/shell/fixes.h"
 #include "editors/shell/widgets.h"
 #include "editors/words/words.h"
 
@@ -23,7 +26,6 @@ namespace camwright {
 
 namespace {
 
-constexpr int SearchIndicator = 10;
 constexpr int CompletionList = 1;
 
 const Dialect& dialectFor(const Project& project)
@@ -55,11 +57,16 @@ void ProgramEditor::buildView()
     m_find->hide();
     m_notice = new Banner(Severity::Warning, QString(), this);
     m_notice->hide();
+    m_live = new LiveText(context(), *m_view, key());
+    m_liveNotice = new Banner(Severity::Information, QString(), this);
+    m_liveNotice->setObjectName(QStringLiteral("liveNotice"));
+    m_liveNotice->hide();
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(0);
     layout->addWidget(m_notice);
     layout->addWidget(m_view, 1);
+    layout->addWidget(m_liveNotice);
     layout->addWidget(m_find);
     setFocusProxy(m_view);
 }
@@ -78,6 +85,12 @@ void ProgramEditor::connectView()
         [this](const char* text, int) { acceptCompletion(QByteArray(text)); });
     m_view->setContextMenuPolicy(Qt::CustomContextMenu);
     connect(m_view, &QWidget::customContextMenuRequested, this, [this](const QPoint& point) { showMenu(m_view->mapToGlobal(point)); });
+
+    connect(m_view, &IlCodeView::fixesRequested, this, [this](int line) {
+        m_view->setCursorPosition(line, 0);
+        showQuickFixes();
+    });
+    connect(m_live, &LiveText::noticeChanged, this, &ProgramEditor::showLiveNotice);
 
     connect(m_find, &FindBar::queryChanged, this, &ProgramEditor::updateSearch);
     connect(m_find, &FindBar::findRequested, this, &ProgramEditor::findNext);
@@ -117,7 +130,32 @@ void ProgramEditor::cursorMoved()
         context().document().closeMerge();
     const QByteArray word = m_view->wordAt(m_view->position());
     context().select({place(), QString::fromUtf8(word)});
+    m_view->setFixLine(problemsHere().empty() ? -1 : static_cast<int>(m_view->selectedRange().line) - 1);
     emit positionChanged();
+}
+
+void ProgramEditor::setKey(const ObjectKey& key)
+{
+    Editor::setKey(key);
+    m_live->setKey(key);
+}
+
+void ProgramEditor::showEvent(QShowEvent* event)
+{
+    Editor::showEvent(event);
+    m_live->setActive(true);
+}
+
+void ProgramEditor::hideEvent(QHideEvent* event)
+{
+    Editor::hideEvent(event);
+    m_live->setActive(false);
+}
+
+void ProgramEditor::showLiveNotice()
+{
+    m_liveNotice->setSentence(m_live->notice());
+    m_liveNotice->setVisible(!m_live->notice().isEmpty());
 }
 
 // Places
@@ -145,6 +183,33 @@ QString ProgramEditor::positionText() const
 void ProgramEditor::showProblems()
 {
     m_view->showDiagnostics(context().document().diagnosticsOf(key()));
+    m_view->setFixLine(problemsHere().empty() ? -1 : static_cast<int>(m_view->selectedRange().line) - 1);
+    emit abilitiesChanged();
+}
+
+/// Problems that may have a fix: those under the cursor, else those of its line.
+Diagnostics ProgramEditor::problemsHere() const
+{
+    Diagnostics out;
+    for (const Diagnostic* d : m_view->diagnosticsAt(m_view->position()))
+        if (mayFix(context(), d->code))
+            out.push_back(*d);
+    const std::uint32_t line = m_view->selectedRange().line;
+    if (out.empty())
+        for (const Diagnostic& d : context().document().diagnosticsOf(key()))
+            if (d.place.range.line <= line && d.place.range.endLine >= line && mayFix(context(), d.code))
+                out.push_back(d);
+    return out;
+}
+
+void ProgramEditor::showQuickFixes()
+{
+    showFixes(context(), problemsHere(), m_view, m_view->pointOf(m_view->position()));
+}
+
+void ProgramEditor::findReferences()
+{
+    context().findReferences({place(), QString::fromUtf8(m_view->wordAt(m_view->position()))});
 }
 
 void ProgramEditor::showHover(int position, const QPoint& globalPoint)
@@ -154,6 +219,8 @@ void ProgramEditor::showHover(int position, const QPoint& globalPoint)
         return;
     }
     QStringList parts;
+    if (const QString value = m_live->valueAt(position); !value.isEmpty())
+        parts << QStringLiteral("<p><b>%1</b></p>").arg(value.toHtmlEscaped());
     for (const Diagnostic* d : m_view->diagnosticsAt(position))
         parts << QStringLiteral("<p><b>%1</b> %2</p>").arg(words::codeId(d->code), words::sentence(*d).toHtmlEscaped());
     const QString help = assist::hover(context().document().project(), m_view->source(), position);
@@ -261,6 +328,10 @@ bool ProgramEditor::can(const QString& actionId) const
     static const QStringList always{QStringLiteral("edit.paste"), QStringLiteral("edit.selectAll"), QStringLiteral("edit.find"),
         QStringLiteral("edit.replace"), QStringLiteral("edit.findNext"), QStringLiteral("edit.findPrevious"), QStringLiteral("edit.comment"),
         QStringLiteral("edit.complete"), QStringLiteral("go.definition"), QStringLiteral("edit.delete")};
+    if (actionId == QLatin1String("edit.quickFix"))
+        return !problemsHere().empty();
+    if (actionId == QLatin1String("go.references"))
+        return !m_view->wordAt(m_view->position()).isEmpty();
     if (actionId == QLatin1String("program.import"))
         return context().document().project().controller().family == "kinco";
     return always.contains(actionId);
@@ -292,6 +363,10 @@ void ProgramEditor::perform(const QString& id)
         complete(true);
     else if (id == QLatin1String("go.definition"))
         moveToDefinition();
+    else if (id == QLatin1String("go.references"))
+        findReferences();
+    else if (id == QLatin1String("edit.quickFix"))
+        showQuickFixes();
     else if (id == QLatin1String("program.import"))
         importFile();
 }
@@ -299,7 +374,7 @@ void ProgramEditor::perform(const QString& id)
 void ProgramEditor::showMenu(const QPoint& globalPoint)
 {
     QMenu menu(this);
-    for (const char* id : {"edit.cut", "edit.copy", "edit.paste", "", "edit.find", "edit.replace", "", "edit.comment", "edit.complete", "go.definition", "", "program.import"}) {
+    for (const char* id : {"edit.cut", "edit.copy", "edit.paste", "", "edit.find", "edit.replace", "", "edit.comment", "edit.complete", "edit.quickFix", "", "go.definition", "go.references", "", "program.import"}) {
         QAction* action = context().actions().action(QString::fromLatin1(id));
         if (!*id)
             menu.addSeparator();
@@ -307,85 +382,6 @@ void ProgramEditor::showMenu(const QPoint& globalPoint)
             menu.addAction(action);
     }
     menu.exec(globalPoint);
-}
-
-// Find and replace
-
-void ProgramEditor::updateSearch()
-{
-    const TextSearch search(m_find->query());
-    const QByteArray source = m_view->source();
-    m_hits = search.findAll(source);
-    m_view->SendScintilla(QsciScintilla::SCI_SETINDICATORCURRENT, static_cast<unsigned long>(SearchIndicator));
-    m_view->SendScintilla(QsciScintilla::SCI_INDICATORCLEARRANGE, 0UL, static_cast<long>(source.size()));
-    for (const SearchHit& hit : m_hits)
-        m_view->SendScintilla(QsciScintilla::SCI_INDICATORFILLRANGE, static_cast<unsigned long>(hit.offset), static_cast<long>(hit.length));
-    if (!search.error().isEmpty())
-        m_find->showError(search.error());
-    else
-        m_find->showCount(0, static_cast<int>(m_hits.size()));
-}
-
-void ProgramEditor::findNext(bool forward)
-{
-    updateSearch();
-    if (m_hits.empty())
-        return;
-    const auto from = static_cast<qsizetype>(m_view->SendScintilla(forward ? QsciScintilla::SCI_GETSELECTIONEND : QsciScintilla::SCI_GETSELECTIONSTART));
-    std::size_t index = 0;
-    if (forward) {
-        while (index < m_hits.size() && m_hits[index].offset < from)
-            ++index;
-        index %= m_hits.size(); // behind the last hit it goes on at the first
-    } else {
-        index = m_hits.size();
-        while (index > 0 && m_hits[index - 1].offset >= from)
-            --index;
-        index = index == 0 ? m_hits.size() - 1 : index - 1;
-    }
-    const SearchHit& hit = m_hits[index];
-    m_view->SendScintilla(QsciScintilla::SCI_SETSEL, static_cast<unsigned long>(hit.offset), static_cast<long>(hit.offset + hit.length));
-    m_find->showCount(static_cast<int>(index) + 1, static_cast<int>(m_hits.size()));
-}
-
-void ProgramEditor::replaceOne()
-{
-    const TextSearch search(m_find->query());
-    const QByteArray source = m_view->source();
-    const auto from = static_cast<qsizetype>(m_view->SendScintilla(QsciScintilla::SCI_GETSELECTIONSTART));
-    const auto to = static_cast<qsizetype>(m_view->SendScintilla(QsciScintilla::SCI_GETSELECTIONEND));
-    for (const SearchHit& hit : search.findAll(source)) {
-        if (hit != SearchHit{from, to - from})
-            continue;
-        const QByteArray with = search.replacement(source, hit, m_find->replacement());
-        context().document().closeMerge();
-        editText(context().document(), key(), static_cast<std::size_t>(hit.offset), static_cast<std::size_t>(hit.length), with.toStdString());
-        m_view->SendScintilla(QsciScintilla::SCI_GOTOPOS, static_cast<unsigned long>(hit.offset + with.size()));
-        break;
-    }
-    findNext(true);
-}
-
-void ProgramEditor::replaceAll()
-{
-    const QByteArray source = m_view->source();
-    int count = 0;
-    const QByteArray replaced = TextSearch(m_find->query()).replaceAll(source, m_find->replacement(), count);
-    if (count == 0)
-        return;
-    context().document().closeMerge();
-    editText(context().document(), key(), 0, static_cast<std::size_t>(source.size()), replaced.toStdString());
-    context().document().closeMerge();
-    context().notify(Severity::Information, tr("%n place(s) replaced. Ctrl+Z takes them back.", nullptr, count));
-}
-
-void ProgramEditor::closeFind()
-{
-    m_find->hide();
-    m_hits.clear();
-    m_view->SendScintilla(QsciScintilla::SCI_SETINDICATORCURRENT, static_cast<unsigned long>(SearchIndicator));
-    m_view->SendScintilla(QsciScintilla::SCI_INDICATORCLEARRANGE, 0UL, static_cast<long>(m_view->source().size()));
-    m_view->setFocus();
 }
 
 } // namespace camwright

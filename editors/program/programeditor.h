@@ -1,30 +1,35 @@
 #pragma once
 
+#include "core/base/diagnostic.h"
 #include "editors/program/textsearch.h"
 #include "editors/document/projectchange.h"
 #include "editors/shell/editor.h"
-
-class QMenu;
 
 namespace camwright {
 
 class FindBar;
 class IlCodeView;
 class Banner;
+class LiveText;
 
 /// The editor of a program in instruction list: text with colours, completion and tool tips from the catalogue, errors
-/// underlined as one types, find and replace. The text lives in the document; this is a view of it.
+/// underlined as one types with quick fixes, find and replace, references, and the controller's values while online. The text lives in the document; this is a view of it.
 class ProgramEditor : public Editor {
     Q_OBJECT
 public:
     ProgramEditor(Context& context, ObjectKey key, QWidget* parent = nullptr);
 
     QString iconName() const override { return QStringLiteral("program"); }
+    void setKey(const ObjectKey& key) override;
     void reveal(const Place& place) override;
     Place place() const override;
     QString positionText() const override;
     bool can(const QString& actionId) const override;
     void perform(const QString& actionId) override;
+
+protected:
+    void showEvent(QShowEvent* event) override;
+    void hideEvent(QHideEvent* event) override;
 
 private:
     void buildView();
@@ -43,6 +48,10 @@ private:
     void importText(const std::string& text, const std::string& name);
     void toggleComment();
     void moveToDefinition();
+    void findReferences();
+    Diagnostics problemsHere() const;
+    void showQuickFixes();
+    void showLiveNotice();
     void showMenu(const QPoint& globalPoint);
 
     void updateSearch();
@@ -54,6 +63,8 @@ private:
     IlCodeView* m_view = nullptr;
     FindBar* m_find = nullptr;
     Banner* m_notice = nullptr;
+    LiveText* m_live = nullptr;
+    Banner* m_liveNotice = nullptr;
     std::vector<SearchHit> m_hits;
     bool m_applying = false;
 };

@@ -1,6 +1,8 @@
 #include "editors/program/register.h"
 
 #include "editors/program/programeditor.h"
+#include "editors/program/programfixes.h"
+#include "editors/program/referencespanel.h"
 #include "editors/shell/actions.h"
 #include "editors/shell/registry.h"
 
@@ -19,6 +21,9 @@ void registerProgramEditor(Registry& registry, ActionCatalogue& actions)
     }
     registry.add(EditorFactory{QStringLiteral("program"), ObjectKind::Program, ProgramEditor::tr("Program"), QStringLiteral("program"),
         [](Context& context, const ObjectKey& key) -> Editor* { return new ProgramEditor(context, key); }, false});
+    registry.add(PanelFactory{QStringLiteral("references"), ReferencesPanel::tr("References"), QStringLiteral("references"), PanelArea::Bottom, 15,
+        [](Context& context) -> Panel* { return new ReferencesPanel(context); }});
+    registry.add(programFixProvider());
 }
 
 } // namespace camwright

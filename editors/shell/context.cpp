@@ -113,6 +113,13 @@ void Context::select(const Selection& selection)
     emit selectionChanged(m_selection);
 }
 
+void Context::findReferences(const Selection& selection)
+{
+    m_sought = selection;
+    emit panelRequested(QStringLiteral("references"));
+    emit referencesRequested(selection);
+}
+
 void Context::output(const QString& line)
 {
     emit outputAdded(line);

@@ -62,6 +62,9 @@ public:
     void explain(Code code);                             ///< shows the page about a message
     const Selection& selection() const { return m_selection; }
     void select(const Selection& selection);
+    /// Lists where the thing at a place, or of a name, is used. The place says it where it is in a program; else the symbol.
+    void findReferences(const Selection& selection);
+    const Selection& sought() const { return m_sought; } ///< what references were asked for last; empty at first
 
     // --- saying things. Nothing here blocks.
     void output(const QString& line);                    ///< the Output panel
@@ -85,6 +88,7 @@ signals:
     void programMatchesChanged(bool matches);
     void armedChanged(bool armed);
     void selectionChanged(const camwright::Selection& selection);
+    void referencesRequested(const camwright::Selection& selection);
 
     void openRequested(const camwright::ObjectKey& key, const QString& viewId, bool preview);
     void revealRequested(const camwright::Place& place);
@@ -107,6 +111,7 @@ private:
     QSet<QObject*> m_armed;
     QTimer m_heartbeat;
     Selection m_selection;
+    Selection m_sought;
 };
 
 } // namespace camwright

@@ -24,6 +24,7 @@ public:
 
 signals:
     void badgeChanged();
+    void abilitiesChanged();                             ///< can() answers differently now
 
 private:
     Context& m_context;

@@ -1,7 +1,9 @@
 #include "editors/shell/problemsview.h"
 
+#include "editors/shell/actions.h"
 #include "editors/shell/context.h"
 #include "editors/shell/explain.h"
+#include "editors/shell/fixes.h"
 #include "editors/shell/icons.h"
 #include "editors/shell/widgets.h"
 #include "editors/words/words.h"
@@ -20,9 +22,14 @@ namespace camwright {
 
 namespace {
 
+constexpr int FixSign = 16; // the lamp behind a sentence that has a quick fix
+
 class ProblemDelegate : public QStyledItemDelegate {
 public:
-    using QStyledItemDelegate::QStyledItemDelegate;
+    ProblemDelegate(const Context& context, const ProblemsModel& model, QObject* parent)
+        : QStyledItemDelegate(parent), m_context(context), m_model(model)
+    {
+    }
 
     void paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const override
     {
@@ -41,6 +48,10 @@ public:
             const Role role = severity == Severity::Error ? Role::Error : severity == Severity::Warning ? Role::Warn : Role::Accent;
             paintIcon(*painter, QRectF(area.left(), area.center().y() - 7, 16, 16), sign, role);
             area.adjust(24, 0, 0, 0);
+            if (mayFix(m_context, m_model.problem(index.row()).code)) {
+                paintIcon(*painter, QRectF(area.right() - FixSign, area.center().y() - 7, FixSign, FixSign), QStringLiteral("quick-fix"), Role::Accent);
+                area.adjust(0, 0, -FixSign - 4, 0);
+            }
         } else {
             painter->setPen(theme().color(Role::Dim));
             if (index.column() == ProblemsModel::CodeColumn)
@@ -49,6 +60,10 @@ public:
         painter->drawText(area, Qt::AlignVCenter, painter->fontMetrics().elidedText(index.data().toString(), Qt::ElideRight, area.width()));
         painter->restore();
     }
+
+private:
+    const Context& m_context;
+    const ProblemsModel& m_model;
 };
 
 } // namespace
@@ -57,9 +72,10 @@ ProblemsView::ProblemsView(Context& context, QWidget* parent) : Panel(context, p
 {
     setObjectName(QStringLiteral("problemsView"));
     m_table = new QTableView(this);
-    describe(m_table, "problemsTable", tr("Problems"), tr("What is wrong with the project. Enter goes to the place, F1 explains the message."));
+    describe(m_table, "problemsTable", tr("Problems"),
+        tr("What is wrong with the project. Enter goes to the place, F1 explains the message, and a lamp tells that there is a quick fix."));
     m_table->setModel(&m_model);
-    m_table->setItemDelegate(new ProblemDelegate(m_table));
+    m_table->setItemDelegate(new ProblemDelegate(context, m_model, m_table));
     m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
     m_table->setEditTriggers(QAbstractItemView::NoEditTriggers);
     m_table->setShowGrid(false);
@@ -79,9 +95,13 @@ ProblemsView::ProblemsView(Context& context, QWidget* parent) : Panel(context, p
     m_explain = new Explain(context, m_table, [this](int row) { return std::optional(m_model.problem(row).code); });
     m_explain->setMenu([this](QMenu& menu) {
         menu.addAction(tr("Go to Its Place") + QStringLiteral("\tEnter"), this, [this] { go(m_table->currentIndex().row()); });
+        if (QAction* fixes = context().actions().action(QStringLiteral("edit.quickFix")))
+            menu.addAction(fixes);
         menu.addAction(icon(QStringLiteral("copy")), tr("Copy") + QStringLiteral("\tCtrl+C"), this, &ProblemsView::copySelected);
         menu.addSeparator();
     });
+
+    connect(m_table->selectionModel(), &QItemSelectionModel::currentChanged, this, &Panel::abilitiesChanged);
 
     m_pages = new QStackedWidget(this);
     m_pages->addWidget(new EmptyState(QStringLiteral("check"), tr("No problems. Checks run as you type.")));
@@ -121,10 +141,23 @@ void ProblemsView::step(int direction)
     go(row);
 }
 
+void ProblemsView::fix(int row)
+{
+    if (row < 0 || row >= m_model.rowCount())
+        return;
+    const QRect area = m_table->visualRect(m_model.index(row, ProblemsModel::SentenceColumn));
+    const Diagnostic problem = m_model.problem(row);
+    showFixes(context(), {problem}, m_table, m_table->viewport()->mapToGlobal(area.bottomLeft() + QPoint(36, 0)));
+}
+
 bool ProblemsView::can(const QString& actionId) const
 {
     if (actionId == QLatin1String("help.explain"))
         return m_explain->can();
+    if (actionId == QLatin1String("edit.quickFix")) {
+        const int row = m_table->currentIndex().row();
+        return row >= 0 && row < m_model.rowCount() && mayFix(context(), m_model.problem(row).code);
+    }
     return actionId == QLatin1String("edit.copy") && m_table->selectionModel()->hasSelection();
 }
 
@@ -134,6 +167,8 @@ void ProblemsView::perform(const QString& actionId)
         copySelected();
     else if (actionId == QLatin1String("help.explain"))
         m_explain->explain();
+    else if (actionId == QLatin1String("edit.quickFix"))
+        fix(m_table->currentIndex().row());
 }
 
 void ProblemsView::copySelected() const

@@ -23,6 +23,7 @@ public:
 
 private:
     void go(int row);
+    void fix(int row);
     void copySelected() const;
     void refresh();
 

@@ -125,6 +125,7 @@ std::optional<LanguageContext> contextOf(const Project& project)
     out.dialect = dialectOfFamily(project.controller().family);
     if (!out.model || !out.dialect)
         return std::nullopt;
+    out.strictKinco = out.dialect->id == DialectId::KincoIl && project.controller().strictKinco.valueOr(false);
     for (const ObjectPtr& object : project.objects(ObjectKind::Axis)) {
         const auto* axis = std::get_if<Axis>(&object->content);
         if (axis && axis->number.isValid() && axis->number.value() > 0)

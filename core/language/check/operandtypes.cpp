@@ -85,6 +85,18 @@ MemoryTypes typesOf(const ResolvedMemory& memory, const LanguageContext& context
     return {out, nullptr};
 }
 
+Address addressAtPin(const ResolvedMemory& memory, const Pin& pin, const LanguageContext& context)
+{
+    const Address& written = memory.address;
+    if (memory.variable || written.isBit || pin.types.isEmpty() || pin.types.contains(written.type))
+        return written;
+    const TypeSet types = intersection(typesOf(memory, context).possible, pin.types);
+    if (types.isEmpty())
+        return written;
+    const auto typed = context.family->withType(written, preferredType(types), *context.model);
+    return typed ? *typed : written;
+}
+
 TypeSet intersection(const TypeSet& a, const TypeSet& b)
 {
     TypeSet out;

@@ -16,6 +16,10 @@ struct MemoryTypes {
 };
 MemoryTypes typesOf(const ResolvedMemory& memory, const LanguageContext& context);
 
+/// The place with a type its pin takes: D100 is two words where the pin is a DINT. As it is where nothing fits. What pins of
+/// a common type group decide together is not looked at.
+Address addressAtPin(const ResolvedMemory& memory, const Pin& pin, const LanguageContext& context);
+
 TypeSet intersection(const TypeSet& a, const TypeSet& b);
 std::string typeNames(const TypeSet& types); ///< "INT/WORD"
 

@@ -35,7 +35,7 @@ inline Project sampleProject()
     Project out;
     out = out.with(projectKey(), std::make_shared<const Object>(
         Object{projectKey(), 0, ProjectSettings{"Presse 3", "für Halle 2"}, {{"vendor.tool", "\"x\""}, {"zz", "[1, 2]"}}}));
-    out = out.withContent(controllerKey(), ControllerSettings{"kinco", "KS105C1-16DT", 2000, Field<std::int64_t>::typed("half a second"), "cabinet 4"});
+    out = out.withContent(controllerKey(), ControllerSettings{"kinco", "KS105C1-16DT", 2000, Field<std::int64_t>::typed("half a second"), "cabinet 4", true});
     out = out.withContent(key(ObjectKind::Axis, "Feed"), feed).withContent(key(ObjectKind::Axis, "feed"), odd);
     out = out.withContent(key(ObjectKind::Network, "CANopen"), Network{500000, 250});
     out = out.withContent(key(ObjectKind::Program, "Main"), Program{ProgramRole::Main, ProgramLanguage::InstructionList, "(* Network 0 *)\nLD %SM0.0\n"});

@@ -66,6 +66,24 @@ TEST(ObjectTextTest, oneChangedFieldChangesOneLine)
     EXPECT_EQ(linesDiffering(toText({watchKey, 1, watch, {}}), toText({watchKey, 1, other, {}})), 1);
 }
 
+TEST(ObjectTextTest, strictKincoStandsInTheFileOnlyWhereItIsOn) // C32
+{
+    ControllerSettings settings;
+    settings.family = "kinco";
+    EXPECT_EQ(toText({controllerKey(), 0, settings, {}}).find("strict_kinco"), std::string::npos);
+    settings.strictKinco = true;
+    const std::string text = toText({controllerKey(), 0, settings, {}});
+    EXPECT_NE(text.find("strict_kinco = true\n"), std::string::npos);
+    const auto back = fromText(controllerKey(), text);
+    ASSERT_TRUE(back.ok());
+    EXPECT_EQ(std::get<ControllerSettings>(back->content), settings);
+    settings.strictKinco = false;
+    EXPECT_EQ(toTextKeeping({controllerKey(), 0, settings, {}}, "# mine\nfamily = \"kinco\"\nstrict_kinco = true\nwatchdog_ms = 500\n").find("strict_kinco"), std::string::npos);
+    const auto typed = fromText(controllerKey(), "strict_kinco = \"perhaps\"\n");
+    ASSERT_TRUE(typed.ok());
+    EXPECT_EQ(std::get<ControllerSettings>(typed->content).strictKinco.text(), "perhaps");
+}
+
 constexpr const char* HandWritten = "\xEF\xBB\xBF# my axis\r\n\r\nnumber=2 # was 3\r\n\r\n[ simulation ]\r\n\r\n# left end\r\n"
                                     "home_switch = -1_0.0   # mm\r\n[camera]\r\nfps = 0x1E\r\n[[camera.shots]]\r\nat = 2026-01-01\r\n";
 
