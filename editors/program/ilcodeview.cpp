@@ -17,6 +17,7 @@ namespace {
 constexpr int LineMargin = 0, MarkerMargin = 1, FixMargin = 2;
 constexpr int ErrorMarker = 1, WarningMarker = 2, FixMarker = 3;
 constexpr int HoverDelayMs = 400;
+constexpr int IndicatorAlpha = 60;
 
 bool isWordByte(char c)
 {
@@ -82,11 +83,10 @@ void IlCodeView::setUpIndicators()
     indicatorDefine(SquiggleLowIndicator, WarningIndicator);
     setIndicatorDrawUnder(true, ErrorIndicator);
     setIndicatorDrawUnder(true, WarningIndicator);
-    indicatorDefine(PlainIndicator, EnergisedIndicator);
-    SendScintilla(SCI_INDICSETSTYLE, static_cast<unsigned long>(EnergisedIndicator), static_cast<long>(INDIC_STRAIGHTBOX));
-    SendScintilla(SCI_INDICSETALPHA, static_cast<unsigned long>(EnergisedIndicator), 40L);
-    SendScintilla(SCI_INDICSETOUTLINEALPHA, static_cast<unsigned long>(EnergisedIndicator), 110L);
-    setIndicatorDrawUnder(true, EnergisedIndicator);
+    for (const int indicator : {SearchIndicator, EnergisedIndicator}) {
+        indicatorDefine(StraightBoxIndicator, indicator);
+        setIndicatorDrawUnder(true, indicator);
+    }
 }
 
 void IlCodeView::applyTheme()
@@ -104,14 +104,21 @@ void IlCodeView::applyTheme()
     markerDefine(iconPixmap(QStringLiteral("error"), 14, Role::Error, devicePixelRatioF()), ErrorMarker);
     markerDefine(iconPixmap(QStringLiteral("warning"), 14, Role::Warn, devicePixelRatioF()), WarningMarker);
     markerDefine(iconPixmap(QStringLiteral("quick-fix"), 14, Role::Accent, devicePixelRatioF()), FixMarker);
-    setIndicatorForegroundColor(theme().color(Role::Energised), EnergisedIndicator);
+    for (const auto& [indicator, role] : {std::pair{EnergisedIndicator, Role::Energised}, {SearchIndicator, Role::Warn}}) {
+        QColor colour = theme().color(role); // the text must stay readable on it
+        colour.setAlpha(IndicatorAlpha);
+        setIndicatorForegroundColor(colour, indicator);
+        setIndicatorOutlineColor(colour, indicator);
+    }
     setPaper(theme().color(Role::Surface));
     updateNumberMargin();
 }
 
 void IlCodeView::setFixLine(int line)
 {
-    if (line == m_fixLine)
+    // Edits above a line carry its mark along.
+    const bool stands = line < 0 ? m_fixLine < 0 : (markersAtLine(line) & (1U << FixMarker)) != 0;
+    if (line == m_fixLine && stands)
         return;
     markerDeleteAll(FixMarker);
     m_fixLine = line;

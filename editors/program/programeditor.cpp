@@ -7,7 +7,6 @@
 #include "editors/program/ilcodeview.h"
 #include "editors/program/livetext.h"
 #include "editors/program/programassist.h"
-#include "editors/program/indicators.h"
 #include "editors/shell/actions.h"
 #include "editors/shell/context.h"
 #include "editors/shell/fixes.h"
@@ -50,9 +49,6 @@ void ProgramEditor::buildView()
     m_view = new IlCodeView(dialectFor(context().document().project()), this);
     m_view->setObjectName(QStringLiteral("programText"));
     m_view->setAccessibleName(tr("Program text"));
-    m_view->indicatorDefine(QsciScintilla::StraightBoxIndicator, SearchIndicator);
-    m_view->setIndicatorDrawUnder(true, SearchIndicator);
-    m_view->setIndicatorForegroundColor(theme().color(Role::Warn), SearchIndicator);
     m_find = new FindBar(this);
     m_find->hide();
     m_notice = new Banner(Severity::Warning, QString(), this);

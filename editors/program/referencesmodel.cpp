@@ -5,6 +5,7 @@
 #include "editors/words/words.h"
 
 #include <algorithm>
+#include <charconv>
 
 namespace camwright {
 
@@ -22,6 +23,16 @@ QString useWord(UseKind kind)
     case UseKind::Watches: return ReferencesModel::tr("watches");
     }
     return {};
+}
+
+/// The row of a table that a place names, from 0.
+std::optional<int> rowOf(const Place& place)
+{
+    constexpr std::string_view Prefix = "rows[";
+    int row = 0;
+    const char* const end = place.field.data() + place.field.size();
+    const bool isRow = place.field.starts_with(Prefix) && std::from_chars(place.field.data() + Prefix.size(), end, row).ec == std::errc{};
+    return isRow ? std::optional(row) : std::nullopt;
 }
 
 QString useIcon(UseKind kind)
@@ -77,8 +88,10 @@ QString ReferencesModel::text(const Reference& reference, int column) const
     case Use:
         return reference.overlaps ? tr("%1, overlaps as %2").arg(useWord(use.kind), QString::fromStdString(use.text)) : useWord(use.kind);
     case Where:
+        if (const auto row = rowOf(use.place))
+            return tr("%1, row %2").arg(QString::fromStdString(use.place.object.name)).arg(*row + 1);
         if (use.instruction.empty())
-            return words::placeText(use.place);
+            return words::placeText({use.place.object, {}, {}, {}});
         return tr("%1, network %2, line %3").arg(QString::fromStdString(use.place.object.name)).arg(use.network).arg(use.place.range.line);
     default:
         return QString::fromStdString(use.line.empty() ? use.text : use.line);

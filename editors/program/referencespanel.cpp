@@ -110,7 +110,7 @@ void ReferencesPanel::follow()
     context().runInBackground<Found>(this, [project = context().document().project(), sought] { return search(project, sought); },
         [this](const Found& found) {
             m_running = false;
-            show(found);
+            take(found);
             if (m_again) {
                 m_again = false;
                 follow();
@@ -118,7 +118,7 @@ void ReferencesPanel::follow()
         });
 }
 
-void ReferencesPanel::show(const Found& found)
+void ReferencesPanel::take(const Found& found)
 {
     const int row = m_table->currentIndex().row();
     m_model->setReferences(found.references);

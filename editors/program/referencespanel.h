@@ -44,7 +44,7 @@ private:
 
     void buildTable();
     void follow();
-    void show(const Found& found);
+    void take(const Found& found);
     void go(int row);
     void copySelected() const;
 

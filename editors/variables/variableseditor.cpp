@@ -105,6 +105,8 @@ bool VariablesEditor::can(const QString& id) const
 {
     if (id == QLatin1String("edit.copy") || id == QLatin1String("edit.cut") || id == QLatin1String("edit.delete"))
         return !selectedRows().empty();
+    if (id == QLatin1String("go.references"))
+        return selectedRows().size() == 1;
     return id == QLatin1String("edit.paste") || id == QLatin1String("edit.selectAll") || id == QLatin1String("edit.find");
 }
 
@@ -121,6 +123,10 @@ void VariablesEditor::perform(const QString& id)
         m_table->selectAll();
     if (id == QLatin1String("edit.find"))
         m_filter->setFocus();
+    if (id == QLatin1String("go.references") && rows.size() == 1) {
+        const Variable& variable = m_model->rows()[static_cast<std::size_t>(rows.front())];
+        context().findReferences({Place{key(), "rows[" + std::to_string(rows.front()) + "]", {}, {}}, QString::fromStdString(variable.name)});
+    }
 }
 
 void VariablesEditor::showMenu(const QPoint& globalPoint)

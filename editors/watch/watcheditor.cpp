@@ -4,7 +4,10 @@
 #include "editors/shell/context.h"
 #include "editors/watch/watchview.h"
 
+#include <QTableView>
 #include <QVBoxLayout>
+
+#include <charconv>
 
 namespace camwright {
 
@@ -28,8 +31,15 @@ void WatchEditor::setKey(const ObjectKey& key)
     m_view->setKey(key);
 }
 
-void WatchEditor::reveal(const Place&)
+void WatchEditor::reveal(const Place& place)
 {
+    constexpr std::string_view Prefix = "rows[";
+    int row = 0;
+    const char* end = place.field.data() + place.field.size();
+    if (place.field.starts_with(Prefix) && std::from_chars(place.field.data() + Prefix.size(), end, row).ec == std::errc{}) {
+        m_view->table()->selectRow(row);
+        m_view->table()->scrollTo(m_view->table()->currentIndex());
+    }
     m_view->setFocus();
 }
 

@@ -224,6 +224,8 @@ bool WatchView::can(const QString& id) const
 {
     if (id == QLatin1String("edit.copy") || id == QLatin1String("edit.cut") || id == QLatin1String("edit.delete"))
         return !selectedRows().empty();
+    if (id == QLatin1String("go.references"))
+        return selectedRows().size() == 1;
     return id == QLatin1String("edit.paste") || id == QLatin1String("edit.selectAll");
 }
 
@@ -240,6 +242,10 @@ void WatchView::perform(const QString& id)
         m_model->remove(rows);
     if (id == QLatin1String("edit.selectAll"))
         m_table->selectAll();
+    if (id == QLatin1String("go.references") && rows.size() == 1) {
+        const std::string& expression = m_model->rows()[static_cast<std::size_t>(rows.front())].expression;
+        m_context.findReferences({Place{m_model->key(), "rows[" + std::to_string(rows.front()) + "]", {}, {}}, QString::fromStdString(expression)});
+    }
     if (id != QLatin1String("edit.paste"))
         return;
     std::vector<WatchRow> pasted;

@@ -85,7 +85,7 @@ public:
     {
         declarations();
         for (const ObjectPtr& object : m_project.objects(ObjectKind::Program))
-            if (const auto* source = std::get_if<Program>(&object->content))
+            if (const auto* source = std::get_if<Program>(&object->content); source && source->language == ProgramLanguage::InstructionList)
                 program(object->key, *source);
         for (const ObjectPtr& object : m_project.objects(ObjectKind::WatchTable))
             if (const auto* table = std::get_if<WatchTable>(&object->content))

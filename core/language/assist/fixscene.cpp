@@ -7,7 +7,7 @@ namespace camwright {
 FixScene::FixScene(const Project& all, const LanguageContext& known, const Diagnostic& what)
     : project(all), context(known), problem(what)
 {
-    if (const auto* program = all.content<Program>(what.place.object))
+    if (const auto* program = all.content<Program>(what.place.object); program && program->language == ProgramLanguage::InstructionList)
         source = program->source;
 }
 

@@ -216,6 +216,15 @@ TEST(CheckProjectTest, theWatchdogIsLongerThanTheScan) // TS-TIM-04
     EXPECT_EQ(with(-1, 0), (List{"CW1102 scan_period_us", "CW1102 watchdog_ms"}));
 }
 
+TEST(CheckProjectTest, strictKincoIsTrueOrFalse) // C32
+{
+    ControllerSettings settings{"kinco", "KS101M-04DX", 0, 500, ""};
+    settings.strictKinco = true;
+    EXPECT_EQ(found(kinco().withContent(controllerKey(), settings)), List{});
+    settings.strictKinco = Field<bool>::typed("perhaps");
+    EXPECT_EQ(found(kinco().withContent(controllerKey(), settings)), (List{"CW1122 strict_kinco"}));
+}
+
 TEST(CheckProjectTest, exactlyOneMainProgram)
 {
     EXPECT_EQ(found(kinco().with({ObjectKind::Program, "Main"}, nullptr)), (List{"CW1116 "}));

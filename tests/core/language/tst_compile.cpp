@@ -63,6 +63,20 @@ protected:
     Job m_job;
 };
 
+TEST_F(CompileTest, strictKincoGivesNoImageOfNestedBranches) // C32
+{
+    program("Main", ProgramRole::Main, "(* Network 0 *)\nLD %M0.0\nAND( %M0.1\nOR %M0.2\n)\nST %M1.0\n");
+    ASSERT_TRUE(compiled().image);
+    ControllerSettings settings = m_project.controller();
+    settings.strictKinco = true;
+    put(controllerKey(), settings);
+    const CompileResult result = compiled();
+    EXPECT_FALSE(result.image);
+    ASSERT_EQ(result.diagnostics.size(), 1u);
+    EXPECT_EQ(result.diagnostics[0].code, Code::GroupNotInFamily);
+    EXPECT_EQ(result.diagnostics[0].place.range.line, 3u);
+}
+
 TEST_F(CompileTest, makesAnImageThatReadsBackAndRuns)
 {
     const CompileResult result = compiled();

@@ -17,7 +17,7 @@ private slots:
 
     void keepsTextByteForByte()
     {
-        for (const QByteArray text : {QByteArray(), QByteArray("LD %M0.0"), QByteArray("(* 电机 *)\r\nLD\t%M0.0\r\n\n"), QByteArray("\n")}) {
+        for (const QByteArray& text : {QByteArray(), QByteArray("LD %M0.0"), QByteArray("(* 电机 *)\r\nLD\t%M0.0\r\n\n"), QByteArray("\n")}) {
             m_view->setSource(text);
             QCOMPARE(m_view->source(), text);
         }

@@ -11,7 +11,7 @@
 
 using namespace camwright;
 
-class ControllerEditorTest : public QObject {
+class StrictKincoTest : public QObject {
     Q_OBJECT
 private slots:
     void strictKincoIsOneStep() // C32
@@ -74,5 +74,5 @@ private:
     std::unique_ptr<ControllerEditor> m_editor;
 };
 
-QTEST_MAIN(ControllerEditorTest)
-#include "tst_controllereditor.moc"
+QTEST_MAIN(StrictKincoTest)
+#include "tst_strictkinco.moc"
