@@ -63,7 +63,7 @@ MainWindow::~MainWindow()
     saveLayout();
     // The focus still changes and documents still close while the parts go: nobody may call back into half a window.
     const std::initializer_list<const QObject*> heard{qApp, &m_workspace.document, &m_workspace.document.undoStack(), &m_workspace.context,
-        &m_workspace.connection, &m_workspace.workbench};
+        &m_workspace.connection, &m_workspace.workbench, m_bottom, m_right};
     for (const QObject* sender : heard)
         sender->disconnect(this);
     // Editors and panels go before anything they listen to.
