@@ -2107,6 +2107,21 @@
     </message>
 </context>
 <context>
+    <name>Fixes</name>
+    <message>
+        <source>Quick fixes</source>
+        <translation>Быстрые исправления</translation>
+    </message>
+    <message>
+        <source>There is no problem here.</source>
+        <translation>Здесь нет ошибок.</translation>
+    </message>
+    <message>
+        <source>There is no quick fix for this problem.</source>
+        <translation>Для этой ошибки нет быстрого исправления.</translation>
+    </message>
+</context>
+<context>
     <name>KeyMaps</name>
     <message>
         <source>Camwright</source>
@@ -2146,6 +2161,101 @@
     <message>
         <source>The texts of this language are not installed.</source>
         <translation>Тексты этого языка не установлены.</translation>
+    </message>
+</context>
+<context>
+    <name>QuickFix</name>
+    <message>
+        <source>Add %1 as ???, to be filled in later</source>
+        <translation>Добавить %1 как ???, чтобы заполнить позже</translation>
+    </message>
+    <message>
+        <source>Add the subroutine %1</source>
+        <translation>Добавить подпрограмму %1</translation>
+    </message>
+    <message>
+        <source>Begin network %1 here</source>
+        <translation>Начать здесь сеть %1</translation>
+    </message>
+    <message>
+        <source>Begin the rung with LD %1, which is always on</source>
+        <translation>Начать цепь с LD %1, который всегда включён</translation>
+    </message>
+    <message>
+        <source>Close the group before its output</source>
+        <translation>Закрыть группу перед её выходом</translation>
+    </message>
+    <message>
+        <source>Declare %1 as %2 at %4 in the table &quot;%3&quot;</source>
+        <translation>Объявить %1 как %2 по адресу %4 в таблице «%3»</translation>
+    </message>
+    <message>
+        <source>Declare %1 as %2 in the table &quot;%3&quot;</source>
+        <translation>Объявить %1 как %2 в таблице «%3»</translation>
+    </message>
+    <message>
+        <source>End the comment at the end of its line</source>
+        <translation>Закончить комментарий в конце его строки</translation>
+    </message>
+    <message>
+        <source>Join the two flows with %1</source>
+        <translation>Соединить два потока командой %1</translation>
+    </message>
+    <message>
+        <source>Make %1 a subroutine</source>
+        <translation>Сделать %1 подпрограммой</translation>
+    </message>
+    <message>
+        <source>Make a comment of &quot;%1&quot;</source>
+        <translation>Превратить «%1» в комментарий</translation>
+    </message>
+    <message>
+        <source>Number all networks in their order</source>
+        <translation>Пронумеровать все сети по порядку</translation>
+    </message>
+    <message>
+        <source>Put %1 at %2, which nothing uses</source>
+        <translation>Разместить %1 по адресу %2, который ничем не занят</translation>
+    </message>
+    <message>
+        <source>Remove &quot;%1&quot;</source>
+        <translation>Удалить «%1»</translation>
+    </message>
+    <message>
+        <source>Remove END, so that what follows belongs to the program</source>
+        <translation>Удалить END, чтобы следующее за ним вошло в программу</translation>
+    </message>
+    <message>
+        <source>Remove the character %1</source>
+        <translation>Удалить символ %1</translation>
+    </message>
+    <message>
+        <source>Remove the line &quot;%1&quot;</source>
+        <translation>Удалить строку «%1»</translation>
+    </message>
+    <message>
+        <source>Write %2 in place of %1</source>
+        <translation>Написать %2 вместо %1</translation>
+    </message>
+    <message>
+        <source>Write %2 in place of the last %1</source>
+        <translation>Написать %2 вместо последнего %1</translation>
+    </message>
+    <message>
+        <source>Write ??? for the operand, to be filled in later</source>
+        <translation>Написать ??? вместо операнда, чтобы заполнить позже</translation>
+    </message>
+    <message>
+        <source>Write a blank in place of the comma</source>
+        <translation>Написать пробел вместо запятой</translation>
+    </message>
+    <message>
+        <source>Write a plain blank in place of the character %1</source>
+        <translation>Написать обычный пробел вместо символа %1</translation>
+    </message>
+    <message>
+        <source>Write the groups of this network to marker bits (%1) in networks of their own</source>
+        <translation>Записать группы этой сети в биты-маркеры (%1) в отдельных сетях</translation>
     </message>
 </context>
 <context>
@@ -2844,6 +2954,10 @@
         <translation>Более долгий цикл останавливает оси и программу.</translation>
     </message>
     <message>
+        <source>Allow nested branches</source>
+        <translation>Разрешить вложенные ветви</translation>
+    </message>
+    <message>
         <source>Axes on the motion network</source>
         <translation>Оси в сети движения</translation>
     </message>
@@ -2892,6 +3006,10 @@
         <translation>Ограничения для проверки и сборки</translation>
     </message>
     <message>
+        <source>Make programs strict Kinco</source>
+        <translation>Включить строгий режим Kinco</translation>
+    </message>
+    <message>
         <source>Memory %1</source>
         <translation>Память %1</translation>
     </message>
@@ -2908,12 +3026,24 @@
         <translation>Объём программы, инструкций</translation>
     </message>
     <message>
+        <source>Programs may hold only what KincoBuilder is known to take: nested branches, AND( and OR(, are refused, and a quick fix writes them to marker bits.</source>
+        <translation>В программах допускается только то, что заведомо принимает KincoBuilder: вложенные ветви AND( и OR( отвергаются, а быстрое исправление записывает их в биты-маркеры.</translation>
+    </message>
+    <message>
         <source>Pulse outputs (not simulated yet)</source>
         <translation>Импульсные выходы (без модели)</translation>
     </message>
     <message>
         <source>Scan period</source>
         <translation>Период сканирования</translation>
+    </message>
+    <message>
+        <source>Strict Kinco</source>
+        <translation>Строгий режим Kinco</translation>
+    </message>
+    <message>
+        <source>Strict Kinco: no nested branches, AND( and OR(</source>
+        <translation>Строгий режим Kinco: без вложенных ветвей AND( и OR(</translation>
     </message>
     <message>
         <source>The controller this project is for; its limits apply at once</source>
@@ -3417,6 +3547,21 @@
     <message>
         <source>reached</source>
         <translation>достигнут</translation>
+    </message>
+</context>
+<context>
+    <name>camwright::LiveText</name>
+    <message>
+        <source>%1, at %2</source>
+        <translation>%1, в %2</translation>
+    </message>
+    <message>
+        <source>The connection to the controller is lost. The values shown are those of %1.</source>
+        <translation>Связь с контроллером потеряна. Показаны значения на %1.</translation>
+    </message>
+    <message>
+        <source>The project was changed since the download. The values shown are those of %1, before the change.</source>
+        <translation>После загрузки проект был изменён. Показаны значения на %1, до изменения.</translation>
     </message>
 </context>
 <context>
@@ -4177,8 +4322,8 @@
         <translation>Проблемы</translation>
     </message>
     <message>
-        <source>What is wrong with the project. Enter goes to the place, F1 explains the message.</source>
-        <translation>Что не так в проекте. Enter переходит к месту, F1 поясняет сообщение.</translation>
+        <source>What is wrong with the project. Enter goes to the place, F1 explains the message, and a lamp tells that there is a quick fix.</source>
+        <translation>Что не так в проекте. Enter переходит к месту, F1 объясняет сообщение, а лампочка означает, что есть быстрое исправление.</translation>
     </message>
 </context>
 <context>
@@ -4572,6 +4717,88 @@
     <message>
         <source>Yesterday</source>
         <translation>Вчера</translation>
+    </message>
+</context>
+<context>
+    <name>camwright::ReferencesModel</name>
+    <message>
+        <source>%1, network %2, line %3</source>
+        <translation>%1, сеть %2, строка %3</translation>
+    </message>
+    <message>
+        <source>%1, overlaps as %2</source>
+        <translation>%1, пересекается как %2</translation>
+    </message>
+    <message>
+        <source>%1, row %2</source>
+        <translation>%1, строка %2</translation>
+    </message>
+    <message>
+        <source>Text</source>
+        <translation>Текст</translation>
+    </message>
+    <message>
+        <source>Use</source>
+        <translation>Использование</translation>
+    </message>
+    <message>
+        <source>Where</source>
+        <translation>Где</translation>
+    </message>
+    <message>
+        <source>calls</source>
+        <translation>вызывает</translation>
+    </message>
+    <message>
+        <source>commands</source>
+        <translation>управляет</translation>
+    </message>
+    <message>
+        <source>declares</source>
+        <translation>объявляет</translation>
+    </message>
+    <message>
+        <source>reads</source>
+        <translation>читает</translation>
+    </message>
+    <message>
+        <source>reads and writes</source>
+        <translation>читает и пишет</translation>
+    </message>
+    <message>
+        <source>watches</source>
+        <translation>наблюдает</translation>
+    </message>
+    <message>
+        <source>writes</source>
+        <translation>пишет</translation>
+    </message>
+</context>
+<context>
+    <name>camwright::ReferencesPanel</name>
+    <message>
+        <source>&quot;%1&quot; is no variable, address, axis or subroutine.</source>
+        <translation>«%1» — не переменная, не адрес, не ось и не подпрограмма.</translation>
+    </message>
+    <message>
+        <source>%1: read %2, written %3, overlaps %4</source>
+        <translation>%1: чтений %2, записей %3, пересечений %4</translation>
+    </message>
+    <message>
+        <source>Nothing uses %1.</source>
+        <translation>%1 нигде не используется.</translation>
+    </message>
+    <message>
+        <source>References</source>
+        <translation>Использования</translation>
+    </message>
+    <message>
+        <source>Shift+F12 at a name or an address lists where it is used.</source>
+        <translation>Shift+F12 на имени или адресе показывает, где они используются.</translation>
+    </message>
+    <message>
+        <source>Where the thing is used. Enter goes to the place, Esc back to where you asked.</source>
+        <translation>Где это используется. Enter переходит к месту, Esc возвращает туда, откуда был запрос.</translation>
     </message>
 </context>
 <context>

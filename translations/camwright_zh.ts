@@ -2105,6 +2105,21 @@
     </message>
 </context>
 <context>
+    <name>Fixes</name>
+    <message>
+        <source>Quick fixes</source>
+        <translation>快速修复</translation>
+    </message>
+    <message>
+        <source>There is no problem here.</source>
+        <translation>此处没有问题。</translation>
+    </message>
+    <message>
+        <source>There is no quick fix for this problem.</source>
+        <translation>此问题没有快速修复。</translation>
+    </message>
+</context>
+<context>
     <name>KeyMaps</name>
     <message>
         <source>Camwright</source>
@@ -2144,6 +2159,101 @@
     <message>
         <source>The texts of this language are not installed.</source>
         <translation>该语言的文本未安装。</translation>
+    </message>
+</context>
+<context>
+    <name>QuickFix</name>
+    <message>
+        <source>Add %1 as ???, to be filled in later</source>
+        <translation>将 %1 补为 ???，以后再填写</translation>
+    </message>
+    <message>
+        <source>Add the subroutine %1</source>
+        <translation>添加子程序 %1</translation>
+    </message>
+    <message>
+        <source>Begin network %1 here</source>
+        <translation>从这里开始网络 %1</translation>
+    </message>
+    <message>
+        <source>Begin the rung with LD %1, which is always on</source>
+        <translation>以常 1 的 LD %1 作为梯级的开头</translation>
+    </message>
+    <message>
+        <source>Close the group before its output</source>
+        <translation>在输出之前结束该组</translation>
+    </message>
+    <message>
+        <source>Declare %1 as %2 at %4 in the table &quot;%3&quot;</source>
+        <translation>在表“%3”中将 %1 声明为 %2，地址 %4</translation>
+    </message>
+    <message>
+        <source>Declare %1 as %2 in the table &quot;%3&quot;</source>
+        <translation>在表“%3”中将 %1 声明为 %2</translation>
+    </message>
+    <message>
+        <source>End the comment at the end of its line</source>
+        <translation>在本行末尾结束注释</translation>
+    </message>
+    <message>
+        <source>Join the two flows with %1</source>
+        <translation>用 %1 连接两个能流</translation>
+    </message>
+    <message>
+        <source>Make %1 a subroutine</source>
+        <translation>将 %1 改为子程序</translation>
+    </message>
+    <message>
+        <source>Make a comment of &quot;%1&quot;</source>
+        <translation>将“%1”改为注释</translation>
+    </message>
+    <message>
+        <source>Number all networks in their order</source>
+        <translation>按顺序为所有网络重新编号</translation>
+    </message>
+    <message>
+        <source>Put %1 at %2, which nothing uses</source>
+        <translation>将 %1 放到未被使用的 %2</translation>
+    </message>
+    <message>
+        <source>Remove &quot;%1&quot;</source>
+        <translation>删除“%1”</translation>
+    </message>
+    <message>
+        <source>Remove END, so that what follows belongs to the program</source>
+        <translation>删除 END，使其后的内容属于程序</translation>
+    </message>
+    <message>
+        <source>Remove the character %1</source>
+        <translation>删除字符 %1</translation>
+    </message>
+    <message>
+        <source>Remove the line &quot;%1&quot;</source>
+        <translation>删除行“%1”</translation>
+    </message>
+    <message>
+        <source>Write %2 in place of %1</source>
+        <translation>将 %1 改为 %2</translation>
+    </message>
+    <message>
+        <source>Write %2 in place of the last %1</source>
+        <translation>将最后一个 %1 改为 %2</translation>
+    </message>
+    <message>
+        <source>Write ??? for the operand, to be filled in later</source>
+        <translation>将操作数写为 ???，以后再填写</translation>
+    </message>
+    <message>
+        <source>Write a blank in place of the comma</source>
+        <translation>将逗号改为空格</translation>
+    </message>
+    <message>
+        <source>Write a plain blank in place of the character %1</source>
+        <translation>将字符 %1 改为普通空格</translation>
+    </message>
+    <message>
+        <source>Write the groups of this network to marker bits (%1) in networks of their own</source>
+        <translation>在单独的网络中将本网络的各组写入标志位（%1）</translation>
     </message>
 </context>
 <context>
@@ -2840,6 +2950,10 @@
         <translation>扫描超过此时间将停止各轴和程序。</translation>
     </message>
     <message>
+        <source>Allow nested branches</source>
+        <translation>允许嵌套分支</translation>
+    </message>
+    <message>
         <source>Axes on the motion network</source>
         <translation>运动网络上的轴</translation>
     </message>
@@ -2888,6 +3002,10 @@
         <translation>检查和编译所用的限制</translation>
     </message>
     <message>
+        <source>Make programs strict Kinco</source>
+        <translation>将程序设为严格 Kinco</translation>
+    </message>
+    <message>
         <source>Memory %1</source>
         <translation>存储区 %1</translation>
     </message>
@@ -2904,12 +3022,24 @@
         <translation>程序容量（指令数）</translation>
     </message>
     <message>
+        <source>Programs may hold only what KincoBuilder is known to take: nested branches, AND( and OR(, are refused, and a quick fix writes them to marker bits.</source>
+        <translation>程序只能使用已知 KincoBuilder 接受的内容：嵌套分支 AND( 和 OR( 会被拒绝，快速修复可将其写入标志位。</translation>
+    </message>
+    <message>
         <source>Pulse outputs (not simulated yet)</source>
         <translation>脉冲输出（尚未仿真）</translation>
     </message>
     <message>
         <source>Scan period</source>
         <translation>扫描周期</translation>
+    </message>
+    <message>
+        <source>Strict Kinco</source>
+        <translation>严格 Kinco</translation>
+    </message>
+    <message>
+        <source>Strict Kinco: no nested branches, AND( and OR(</source>
+        <translation>严格 Kinco：不允许嵌套分支 AND( 和 OR(</translation>
     </message>
     <message>
         <source>The controller this project is for; its limits apply at once</source>
@@ -3411,6 +3541,21 @@
     <message>
         <source>reached</source>
         <translation>已触发</translation>
+    </message>
+</context>
+<context>
+    <name>camwright::LiveText</name>
+    <message>
+        <source>%1, at %2</source>
+        <translation>%1，时间 %2</translation>
+    </message>
+    <message>
+        <source>The connection to the controller is lost. The values shown are those of %1.</source>
+        <translation>与控制器的连接已断开。显示的是 %1 的值。</translation>
+    </message>
+    <message>
+        <source>The project was changed since the download. The values shown are those of %1, before the change.</source>
+        <translation>下载后工程已更改。显示的是更改前 %1 的值。</translation>
     </message>
 </context>
 <context>
@@ -4163,8 +4308,8 @@
         <translation>问题</translation>
     </message>
     <message>
-        <source>What is wrong with the project. Enter goes to the place, F1 explains the message.</source>
-        <translation>工程中的错误。按 Enter 转到其位置，按 F1 解释该消息。</translation>
+        <source>What is wrong with the project. Enter goes to the place, F1 explains the message, and a lamp tells that there is a quick fix.</source>
+        <translation>工程中的问题。按 Enter 转到该处，按 F1 查看消息说明；灯泡表示有快速修复。</translation>
     </message>
 </context>
 <context>
@@ -4550,6 +4695,88 @@
     <message>
         <source>Yesterday</source>
         <translation>昨天</translation>
+    </message>
+</context>
+<context>
+    <name>camwright::ReferencesModel</name>
+    <message>
+        <source>%1, network %2, line %3</source>
+        <translation>%1，网络 %2，第 %3 行</translation>
+    </message>
+    <message>
+        <source>%1, overlaps as %2</source>
+        <translation>%1，以 %2 重叠</translation>
+    </message>
+    <message>
+        <source>%1, row %2</source>
+        <translation>%1，第 %2 行</translation>
+    </message>
+    <message>
+        <source>Text</source>
+        <translation>文本</translation>
+    </message>
+    <message>
+        <source>Use</source>
+        <translation>使用方式</translation>
+    </message>
+    <message>
+        <source>Where</source>
+        <translation>位置</translation>
+    </message>
+    <message>
+        <source>calls</source>
+        <translation>调用</translation>
+    </message>
+    <message>
+        <source>commands</source>
+        <translation>控制</translation>
+    </message>
+    <message>
+        <source>declares</source>
+        <translation>声明</translation>
+    </message>
+    <message>
+        <source>reads</source>
+        <translation>读取</translation>
+    </message>
+    <message>
+        <source>reads and writes</source>
+        <translation>读取并写入</translation>
+    </message>
+    <message>
+        <source>watches</source>
+        <translation>监视</translation>
+    </message>
+    <message>
+        <source>writes</source>
+        <translation>写入</translation>
+    </message>
+</context>
+<context>
+    <name>camwright::ReferencesPanel</name>
+    <message>
+        <source>&quot;%1&quot; is no variable, address, axis or subroutine.</source>
+        <translation>“%1”不是变量、地址、轴或子程序。</translation>
+    </message>
+    <message>
+        <source>%1: read %2, written %3, overlaps %4</source>
+        <translation>%1：读取 %2，写入 %3，重叠 %4</translation>
+    </message>
+    <message>
+        <source>Nothing uses %1.</source>
+        <translation>没有任何地方使用 %1。</translation>
+    </message>
+    <message>
+        <source>References</source>
+        <translation>引用</translation>
+    </message>
+    <message>
+        <source>Shift+F12 at a name or an address lists where it is used.</source>
+        <translation>在名称或地址上按 Shift+F12 可列出其使用之处。</translation>
+    </message>
+    <message>
+        <source>Where the thing is used. Enter goes to the place, Esc back to where you asked.</source>
+        <translation>该对象的使用之处。按 Enter 转到该处，按 Esc 返回查询的位置。</translation>
     </message>
 </context>
 <context>

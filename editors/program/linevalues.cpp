@@ -27,7 +27,7 @@ int paintValue(QPainter& painter, const QRect& row, int x, const LineValue& valu
     figures.setItalic(stale);
     if (!value.label.isEmpty()) {
         painter.setFont(label);
-        painter.setPen(theme().color(Role::Faint));
+        painter.setPen(theme().color(Role::Dim));
         const int width = painter.fontMetrics().horizontalAdvance(value.label);
         painter.drawText(QRect(x, row.top(), width + 2, row.height()), Qt::AlignVCenter, value.label);
         x += width + 4;
