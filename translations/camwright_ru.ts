@@ -2178,8 +2178,8 @@
         <translation>Начать здесь сеть %1</translation>
     </message>
     <message>
-        <source>Begin the rung with LD %1, which is always on</source>
-        <translation>Начать цепь с LD %1, который всегда включён</translation>
+        <source>Begin the rung with %1, which is always on</source>
+        <translation>Начать цепь с %1: этот бит всегда включён</translation>
     </message>
     <message>
         <source>Close the group before its output</source>

@@ -2176,8 +2176,8 @@
         <translation>从这里开始网络 %1</translation>
     </message>
     <message>
-        <source>Begin the rung with LD %1, which is always on</source>
-        <translation>以常 1 的 LD %1 作为梯级的开头</translation>
+        <source>Begin the rung with %1, which is always on</source>
+        <translation>以常 1 的 %1 作为梯级的开头</translation>
     </message>
     <message>
         <source>Close the group before its output</source>

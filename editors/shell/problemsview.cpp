@@ -95,7 +95,7 @@ ProblemsView::ProblemsView(Context& context, QWidget* parent) : Panel(context, p
     m_explain = new Explain(context, m_table, [this](int row) { return std::optional(m_model.problem(row).code); });
     m_explain->setMenu([this](QMenu& menu) {
         menu.addAction(tr("Go to Its Place") + QStringLiteral("\tEnter"), this, [this] { go(m_table->currentIndex().row()); });
-        if (QAction* fixes = context().actions().action(QStringLiteral("edit.quickFix")))
+        if (QAction* fixes = this->context().actions().action(QStringLiteral("edit.quickFix")))
             menu.addAction(fixes);
         menu.addAction(icon(QStringLiteral("copy")), tr("Copy") + QStringLiteral("\tCtrl+C"), this, &ProblemsView::copySelected);
         menu.addSeparator();

@@ -15,6 +15,12 @@ std::string header(std::uint32_t number)
     return "(* Network " + std::to_string(number) + " *)\n";
 }
 
+/// The system's bit that is on in every scan.
+std::string_view alwaysOn(std::string_view family)
+{
+    return family == "kinco" ? "%SM0.0" : family == "invt" ? "SM0" : family == "koyo" ? "SP1" : "";
+}
+
 /// The first statement behind `found` that uses the flow, or one past the last.
 std::size_t nextAction(FixScene& scene, const FixScene::Found& found)
 {
@@ -100,8 +106,12 @@ void fixMissingLoad(FixScene& scene)
         scene.replace(CW_TEXT("QuickFix", "Write %2 in place of %1"), mnemonicRange(statement), std::string(load));
         return;
     }
-    const std::string always = dialect.id == DialectId::KincoIl ? "%SM0.0" : "SM0";
-    scene.offer(CW_TEXT("QuickFix", "Begin the rung with LD %1, which is always on"), {always}, {{scene.lineBegin(statement.range.line), 0, "LD " + always + "\n"}});
+    const std::string_view begin = dialect.contactMnemonic(StatementRole::Load, ContactForm::NormallyOpen);
+    const std::string_view bit = alwaysOn(scene.context.family->id());
+    if (begin.empty() || bit.empty())
+        return;
+    const std::string line = std::string(begin) + " " + std::string(bit);
+    scene.offer(CW_TEXT("QuickFix", "Begin the rung with %1, which is always on"), {line}, {{scene.lineBegin(statement.range.line), 0, line + "\n"}});
 }
 
 void fixSecondLoad(FixScene& scene)

@@ -92,7 +92,7 @@ std::optional<Address> FreeMemory::take(AreaId area, DataType type)
 std::optional<Address> FreeMemory::takeFor(const Pin* pin, DataType type)
 {
     const auto takes = [&](AreaId area) { return !pin || pin->areas.empty() || std::ranges::find(pin->areas, area) != pin->areas.end(); };
-    for (const char* name : {type == DataType::Bool ? "M" : "V", type == DataType::Bool ? "M" : "D"}) {
+    for (const char* name : {type == DataType::Bool ? "M" : "V", type == DataType::Bool ? "C" : "D"}) {
         const MemoryArea* area = m_context.family->findArea(name);
         if (!area || area->local || !takes(area->id))
             continue;

@@ -17,7 +17,7 @@ public:
     /// The lowest free place for a value of the type; bits come from bytes that are wholly free as long as there are any. Each
     /// call gives another. Nothing when the area is full or has no such values.
     std::optional<Address> take(AreaId area, DataType type);
-    /// The area new names of the type go to (Kinco M and V, TS600 M and D) if `pin` takes it, else the first one it takes.
+    /// The area new names of the type go to (Kinco M and V, TS600 M and D, Koyo C and V) if `pin` takes it, else the first one it takes.
     std::optional<Address> takeFor(const Pin* pin, DataType type);
 
 private:

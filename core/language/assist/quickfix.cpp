@@ -258,7 +258,7 @@ void declareVariable(FixScene& scene)
     variable.name = found.operand->text;
     const DataType type = wantedType(scene, found);
     variable.type = type;
-    if (scene.context.dialect->id == DialectId::KincoIl) { // TS600 finds a place by itself
+    if (scene.context.dialect->id != DialectId::Ts600Il) { // TS600 finds a place by itself
         const auto address = FreeMemory(scene.project, scene.context).takeFor(&pin, type);
         if (!address)
             return;
