@@ -249,7 +249,7 @@ void ControllerEditor::refreshProblems()
             watchdog = sentence;
         else if (d.place.field == "strict_kinco")
             strict = sentence;
-        else
+        else if (model.isEmpty()) // the first says it; the others stand in the list of problems
             model = sentence;
     }
     m_modelProblem->setText(model);
