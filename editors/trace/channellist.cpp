@@ -67,8 +67,8 @@ QString ChannelListModel::valueAt(int row, std::uint64_t cycle) const
     if (!value)
         return QStringLiteral("–");
     const ChannelInfo& info = m_buffer.channels()[static_cast<std::size_t>(channel)];
-    if (info.type == DataType::Bool)
-        return *value != 0 ? QStringLiteral("TRUE") : QStringLiteral("FALSE");
+    if (const StateNames names = StateNames::of(info, m_family); names.hasNames())
+        return names.name(*value);
     return isFloat(info.type) ? QString::number(*value, 'f', 3) : QString::number(*value, 'f', 0);
 }
 
@@ -89,6 +89,8 @@ QVariant ChannelListModel::data(const QModelIndex& index, int role) const
         return int(m_shown[static_cast<std::size_t>(row)] ? Qt::Checked : Qt::Unchecked);
     if (role == Qt::ForegroundRole && index.column() == Name && recorded(row) >= 0)
         return theme().color(ScopePlot::channelRole(static_cast<std::size_t>(recorded(row))));
+    if (role == Qt::ToolTipRole && index.column() != Name)
+        return valueAt(row, m_cycles[index.column() == AtA ? 0 : 1]); // a name may be longer than its column
     if (role == Qt::FontRole && index.column() != Name)
         return theme().monoFont();
     if (role == Qt::TextAlignmentRole && index.column() != Name)

@@ -19,6 +19,7 @@ public:
     const std::vector<std::string>& channels() const { return m_channels; }
     /// A channel that stays in the list stays shown or hidden.
     void setChannels(std::vector<std::string> channels);
+    void setFamily(const std::string& family) { m_family = family; } ///< whose states the channels of axes tell
     void setCursors(std::uint64_t cycleA, std::uint64_t cycleB);
     void refreshValues();
     bool isShown(int row) const { return m_shown[static_cast<std::size_t>(row)]; }
@@ -39,6 +40,7 @@ private:
     QString valueAt(int row, std::uint64_t cycle) const;
 
     const TraceBuffer& m_buffer;
+    std::string m_family;
     std::vector<std::string> m_channels;
     std::vector<bool> m_shown;
     std::uint64_t m_cycles[2] = {0, 0};

@@ -1,5 +1,7 @@
 #include "editors/trace/scopeplot.h"
 
+#include "editors/trace/statelane.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -38,76 +40,94 @@ Role ScopePlot::channelRole(std::size_t channel)
 
 // Lanes
 
-QCPAxisRect* ScopePlot::newRect(bool isLast)
+QCPAxisRect* ScopePlot::newRect()
 {
     auto* rect = new QCPAxisRect(this, true);
     rect->setAutoMargins(QCP::msBottom);
     rect->setMargins(QMargins(LeftMargin, 4, 12, 0));
     rect->setMinimumSize(50, 28);
-    rect->axis(QCPAxis::atBottom)->setTickLabels(isLast);
     rect->axis(QCPAxis::atLeft)->ticker()->setTickCount(3);
     rect->axis(QCPAxis::atBottom)->grid()->setVisible(true);
     return rect;
 }
 
+QCPAxisRect* ScopePlot::addRow(bool low)
+{
+    const int row = plotLayout()->elementCount();
+    auto* rect = newRect();
+    plotLayout()->addElement(row, 0, rect);
+    plotLayout()->setRowStretchFactor(row, low ? 0.35 : 1.0);
+    return rect;
+}
+
 void ScopePlot::rebuild()
 {
-    clearItems();
-    clearGraphs();
-    plotLayout()->clear();
     m_lanes.clear();
-    for (auto& lines : m_cursorLines)
-        lines.clear();
-    m_triggerLines.clear();
-    for (std::size_t i = 0; i < m_buffer.channels().size(); ++i) {
+    for (const ChannelInfo& channel : m_buffer.channels()) {
         Lane lane;
-        lane.isBit = m_buffer.channels()[i].type == DataType::Bool;
+        lane.names = StateNames::of(channel, m_family);
         m_lanes.push_back(lane);
     }
     layLanes();
 }
 
+void ScopePlot::makeCurve(Lane& lane)
+{
+    const bool shares = m_overlaid && graphCount() > 0;
+    lane.rect = shares ? graph(0)->keyAxis()->axisRect() : addRow(false);
+    QCPAxis* y = lane.rect->axis(QCPAxis::atLeft);
+    if (shares) { // each curve at its own scale; the first one's is shown
+        y = lane.rect->addAxis(QCPAxis::atLeft);
+        y->setVisible(false);
+    }
+    lane.graph = addGraph(lane.rect->axis(QCPAxis::atBottom), y);
+    lane.graph->setAdaptiveSampling(false); // the series is decimated already
+}
+
+void ScopePlot::makeBands(Lane& lane)
+{
+    lane.rect = addRow(true);
+    QCPAxis* y = lane.rect->axis(QCPAxis::atLeft);
+    y->setRange(0, 1);
+    y->setTicks(false);
+    y->setTickLabels(false);
+    lane.bands = new StateLane(lane.rect->axis(QCPAxis::atBottom), y);
+    lane.bands->setNames(lane.names);
+}
+
 void ScopePlot::layLanes()
 {
     clearItems();
-    clearGraphs();
+    clearPlottables();
     plotLayout()->clear();
     for (auto& lines : m_cursorLines)
         lines.clear();
     m_triggerLines.clear();
     plotLayout()->setRowSpacing(0);
-    const auto shown = static_cast<std::size_t>(std::ranges::count_if(m_lanes, &Lane::visible));
-    QCPAxisRect* shared = nullptr;
-    int row = 0;
-    for (std::size_t i = 0; i < m_lanes.size(); ++i) {
-        Lane& lane = m_lanes[i];
+    for (Lane& lane : m_lanes) {
         lane.rect = nullptr;
         lane.graph = nullptr;
-        if (!lane.visible)
-            continue;
-        if (!m_overlaid || !shared) {
-            lane.rect = newRect(m_overlaid || row + 1 == static_cast<int>(shown));
-            plotLayout()->addElement(row, 0, lane.rect);
-            plotLayout()->setRowStretchFactor(row, lane.isBit && !m_overlaid ? 0.35 : 1.0);
-            ++row;
-            shared = lane.rect;
-        } else {
-            lane.rect = shared;
-        }
-        QCPAxis* y = lane.rect->axis(QCPAxis::atLeft);
-        if (m_overlaid && graphCount() > 0) { // each curve at its own scale; the first one's is shown
-            y = lane.rect->addAxis(QCPAxis::atLeft);
-            y->setVisible(false);
-        }
-        lane.graph = addGraph(lane.rect->axis(QCPAxis::atBottom), y);
-        lane.graph->setAdaptiveSampling(false); // the series is decimated already
-        lane.graph->setLineStyle(lane.isBit ? QCPGraph::lsStepLeft : QCPGraph::lsLine);
+        lane.bands = nullptr;
     }
-    if (!shared)
-        plotLayout()->addElement(0, 0, newRect(true));
+    // Overlaid, the curves stand above and the states below them, else all in the order of the list.
+    for (int round = 0; round < (m_overlaid ? 2 : 1); ++round) {
+        for (Lane& lane : m_lanes) {
+            if (lane.visible && (!m_overlaid || lane.names.hasNames() == (round == 1)))
+                lane.names.hasNames() ? makeBands(lane) : makeCurve(lane);
+        }
+    }
+    if (plotLayout()->elementCount() == 0)
+        addRow(false);
+    for (QCPAxisRect* rect : axisRects())
+        rect->axis(QCPAxis::atBottom)->setTickLabels(rect == axisRects().last());
     addCursorLines();
     applyTheme();
     fillAll();
+}
+
+const StateLane* ScopePlot::stateLane(std::size_t channel) const
+{
+    return channel < m_lanes.size() ? m_lanes[channel].bands : nullptr;
 }
 
 void ScopePlot::addCursorLines()
@@ -166,8 +186,11 @@ void ScopePlot::applyTheme()
         }
     }
     for (std::size_t i = 0; i < m_lanes.size(); ++i) {
+        const QPen pen(theme().color(channelRole(i)), i == m_selected ? 2.0 : 1.4);
         if (m_lanes[i].graph)
-            m_lanes[i].graph->setPen(QPen(theme().color(channelRole(i)), i == m_selected ? 2.0 : 1.4));
+            m_lanes[i].graph->setPen(pen);
+        if (m_lanes[i].bands)
+            m_lanes[i].bands->setPen(pen);
     }
     for (auto& lines : m_cursorLines) {
         for (QCPItemStraightLine* item : lines)
@@ -198,10 +221,6 @@ std::uint64_t ScopePlot::cycleOf(double seconds) const
 void ScopePlot::scaleLane(Lane& lane, double low, double high)
 {
     QCPAxis* axis = lane.graph->valueAxis();
-    if (lane.isBit) {
-        axis->setRange(-0.2, 1.2);
-        return;
-    }
     if (low > high)
         return;
     const double middle = (low + high) / 2, half = std::max((high - low) / 2, std::max(1e-6, std::abs(middle) * 1e-6));
@@ -211,19 +230,27 @@ void ScopePlot::scaleLane(Lane& lane, double low, double high)
 void ScopePlot::fillLane(std::size_t channel)
 {
     Lane& lane = m_lanes[channel];
-    if (!lane.graph || m_buffer.rows() == 0)
+    if ((!lane.graph && !lane.bands) || m_buffer.rows() == 0)
         return;
     const std::uint64_t from = cycleOf(m_range.lower), to = std::max(from + 1, cycleOf(m_range.upper) + 1);
     const auto pixels = static_cast<std::size_t>(std::max(50, width() - LeftMargin - 12));
     const std::size_t count = std::min<std::size_t>(pixels, to - from);
     const auto columns = m_buffer.columns(channel, from, to, count);
+    const double step = static_cast<double>(to - from) / static_cast<double>(count) * static_cast<double>(m_buffer.cycleNs()) * 1e-9;
+    if (lane.bands)
+        lane.bands->setBands(bandsOf(columns, secondsOf(from), step));
+    else
+        fillCurve(lane, columns, secondsOf(from), step);
+}
+
+void ScopePlot::fillCurve(Lane& lane, const std::vector<TraceColumn>& columns, double start, double step)
+{
     QVector<QCPGraphData> data;
     data.reserve(static_cast<qsizetype>(columns.size()) * 4);
     double low = std::numeric_limits<double>::infinity(), high = -low;
-    const double step = static_cast<double>(to - from) / static_cast<double>(count) * static_cast<double>(m_buffer.cycleNs()) * 1e-9;
     for (std::size_t i = 0; i < columns.size(); ++i) {
         const TraceColumn& column = columns[i];
-        const double x = secondsOf(from) + step * static_cast<double>(i);
+        const double x = start + step * static_cast<double>(i);
         if (column.gap && !data.isEmpty()) // never a gap drawn as a line
             data.append(QCPGraphData(x, std::numeric_limits<double>::quiet_NaN()));
         if (column.empty)

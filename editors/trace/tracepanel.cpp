@@ -256,6 +256,10 @@ void TracePanel::start()
     setup.channels = m_channels->channels();
     m_trigger->apply(setup);
     m_buffer.clear();
+    const std::string& running = context().status().family;
+    m_family = running.empty() ? context().document().project().controller().family : running;
+    m_channels->setFamily(m_family);
+    m_plot->setFamily(m_family);
     m_plot->rebuild(); // the curves of the recording before do not stand for this one
     m_recording = m_isFirstLook = true;
     setLive(true);
@@ -367,6 +371,10 @@ void TracePanel::refreshStatistics()
         return;
     }
     const ChannelInfo& info = m_buffer.channels()[static_cast<std::size_t>(channel)];
+    if (const StateNames names = StateNames::of(info, m_family); names.hasNames()) {
+        m_statistics->setText(stateSummary(static_cast<std::size_t>(channel), names));
+        return;
+    }
     const TraceStatistics s = statisticsBetween(m_buffer, static_cast<std::size_t>(channel), a, b);
     const auto number = [](double value) { return QString::number(value, 'f', 3); };
     const auto optional = [&](const std::optional<double>& value) { return value ? number(*value) : QStringLiteral("–"); };
@@ -376,6 +384,18 @@ void TracePanel::refreshStatistics()
         .arg(QString::fromStdString(info.name), optional(s.atA), optional(s.atB), number(s.deltaTime), optional(s.deltaValue()), unit,
             known(s.minimum), known(s.maximum), known(s.mean))
         + tr("   RMS %1   slope %2 %3/s").arg(known(s.rms), known(s.slope), unit));
+}
+
+/// A mean of states means nothing: their names do.
+QString TracePanel::stateSummary(std::size_t channel, const StateNames& names) const
+{
+    const std::uint64_t a = m_plot->cursorCycle(0), b = m_plot->cursorCycle(1);
+    const auto name = [&](std::uint64_t cycle) {
+        const auto value = m_buffer.valueAt(channel, cycle);
+        return value ? names.name(*value) : QStringLiteral("–");
+    };
+    const double apart = (static_cast<double>(b) - static_cast<double>(a)) * static_cast<double>(m_buffer.cycleNs()) * 1e-9;
+    return tr("%1   A %2   B %3   Δt %4 s").arg(QString::fromStdString(m_buffer.channels()[channel].name), name(a), name(b), QString::number(apart, 'f', 3));
 }
 
 QByteArray TracePanel::toCsv() const

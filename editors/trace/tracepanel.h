@@ -2,6 +2,7 @@
 
 #include "core/online/tracebuffer.h"
 #include "editors/shell/panel.h"
+#include "editors/trace/statenames.h"
 
 #include <QTimer>
 
@@ -50,12 +51,14 @@ private:
     void refreshState();
     void refreshStatistics();
     void refreshEmpty();
+    QString stateSummary(std::size_t channel, const StateNames& names) const;
     void setLive(bool live);
     void removeSelectedChannels();
     void exportCsv();
     int selectedChannel() const;
 
     TraceBuffer m_buffer;
+    std::string m_family;                  ///< of the controller that records
     ScopePlot* m_plot;
     ChannelListModel* m_channels;
     QStackedWidget* m_curves = nullptr;

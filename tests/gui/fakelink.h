@@ -131,10 +131,12 @@ public:
         out.firstCycle = 1000;
         out.last = false;
         for (std::size_t c = 0; c < setup.channels.size(); ++c) {
-            out.channels.push_back({setup.channels[c], DataType::Lreal, "mm"});
+            const bool state = setup.channels[c].ends_with(".state"), bit = setup.channels[c].starts_with("%");
+            out.channels.push_back({setup.channels[c], state ? DataType::Usint : bit ? DataType::Bool : DataType::Lreal, state || bit ? "" : "mm"});
+            static constexpr double States[] = {0, 2, 5, 2, 3, 3, 2, 4, 1, 1};
             std::vector<double> column;
             for (int i = 0; i < 2000; ++i)
-                column.push_back(100 * std::sin(i * 0.005 + double(c)));
+                column.push_back(state ? States[i / 200] : bit ? double(i / 300 % 2) : 100 * std::sin(i * 0.005 + double(c)));
             out.columns.push_back(column);
         }
         done(reply);

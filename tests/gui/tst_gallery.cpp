@@ -15,7 +15,9 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QStandardPaths>
+#include <QPushButton>
 #include <QTabBar>
+#include <QTableView>
 #include <QTemporaryDir>
 #include <QtTest>
 
@@ -182,6 +184,7 @@ private slots:
             window.showPanel(factory.id);
             look(window, "panel-" + factory.id);
         }
+        lookAtRecording(window);
         lookAtSplits(workspace, window);
         lookAtDialogs(workspace, window);
         QCOMPARE(m_complaints.join("\n"), QString());
@@ -197,6 +200,20 @@ private:
         workspace.context.open(objects.front()->key, factory.viewId);
         QVERIFY2(window.editors().current(), qPrintable(factory.viewId));
         look(window, "editor-" + factory.viewId + "-" + how);
+    }
+
+    void lookAtRecording(MainWindow& window)
+    {
+        window.setLayoutPreset(Layout::Analyse);
+        auto* channel = window.findChild<QLineEdit*>("newChannel");
+        QTest::keyClicks(channel, "%I0.0");
+        QTest::keyClick(channel, Qt::Key_Return);
+        QTest::mouseClick(window.findChild<QPushButton*>("recordTrace"), Qt::LeftButton);
+        QTest::qWait(120); // the oscilloscope redraws 30 times a second
+        QTest::mouseClick(window.findChild<QPushButton*>("fitTrace"), Qt::LeftButton);
+        window.findChild<QTableView*>("traceChannels")->selectRow(5);
+        look(window, "trace-states");
+        window.setLayoutPreset(Layout::Program);
     }
 
     void lookAtSplits(Workspace& workspace, MainWindow& window)
