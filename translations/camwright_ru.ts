@@ -4813,6 +4813,21 @@
     </message>
 </context>
 <context>
+    <name>camwright::ScreenWatch</name>
+    <message>
+        <source>The computer goes to sleep. Panel control is off.</source>
+        <translation>Компьютер переходит в сон. Управление с панели отключено.</translation>
+    </message>
+    <message>
+        <source>The computer was asleep. Panel control is off.</source>
+        <translation>Компьютер был в режиме сна. Управление с панели отключено.</translation>
+    </message>
+    <message>
+        <source>The screen was locked. Panel control is off.</source>
+        <translation>Экран заблокирован. Управление с панели отключено.</translation>
+    </message>
+</context>
+<context>
     <name>camwright::SettingsDialog</name>
     <message>
         <source>Close</source>
@@ -5240,6 +5255,10 @@
     <message>
         <source>&quot;%1&quot; cannot be written: %2. Choose another folder.</source>
         <translation>«%1» не удаётся записать: %2. Выберите другую папку.</translation>
+    </message>
+    <message>
+        <source>%1   A %2   B %3   Δt %4 s</source>
+        <translation>%1   A %2   B %3   Δt %4 с</translation>
     </message>
     <message>
         <source>%1   A %2   B %3   Δt %4 s   Δy %5 %6   min %7   max %8   mean %9</source>

@@ -4791,6 +4791,21 @@
     </message>
 </context>
 <context>
+    <name>camwright::ScreenWatch</name>
+    <message>
+        <source>The computer goes to sleep. Panel control is off.</source>
+        <translation>计算机即将休眠。面板控制已关闭。</translation>
+    </message>
+    <message>
+        <source>The computer was asleep. Panel control is off.</source>
+        <translation>计算机曾进入休眠。面板控制已关闭。</translation>
+    </message>
+    <message>
+        <source>The screen was locked. Panel control is off.</source>
+        <translation>屏幕已锁定。面板控制已关闭。</translation>
+    </message>
+</context>
+<context>
     <name>camwright::SettingsDialog</name>
     <message>
         <source>Close</source>
@@ -5214,6 +5229,10 @@
     <message>
         <source>&quot;%1&quot; cannot be written: %2. Choose another folder.</source>
         <translation>无法写入“%1”：%2。选择另一个文件夹。</translation>
+    </message>
+    <message>
+        <source>%1   A %2   B %3   Δt %4 s</source>
+        <translation>%1   A %2   B %3   Δt %4 s</translation>
     </message>
     <message>
         <source>%1   A %2   B %3   Δt %4 s   Δy %5 %6   min %7   max %8   mean %9</source>

@@ -4,6 +4,7 @@
 #include "app/window/mainwindow.h"
 #include "app/window/realservices.h"
 #include "app/window/screenshots.h"
+#include "app/window/screenwatch.h"
 #include "app/window/untilidle.h"
 #include "editors/words/words.h"
 
@@ -103,6 +104,9 @@ int runWindow(int argc, char** argv)
         Screenshots::saveStartPage(window, pictures);
     if (!project.isEmpty())
         QTimer::singleShot(0, &window, [&window, project, demo] { demo ? window.runDemo(project) : void(window.openProject(project)); });
+
+    std::unique_ptr<ScreenWatch> screenWatch; // after the first picture: it must not wait for a bus
+    QTimer::singleShot(0, &session, [&session, &screenWatch] { screenWatch = std::make_unique<ScreenWatch>(session.workspace().context, ScreenWatch::buses()); });
 
     std::unique_ptr<Screenshots> screenshots;
     if (!pictures.isEmpty()) {

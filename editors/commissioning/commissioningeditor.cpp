@@ -113,6 +113,7 @@ void CommissioningEditor::connectSafety()
     });
     connect(m_keys, &PanelKeys::jogPressed, m_motion, &MotionColumn::hold);
     connect(m_keys, &PanelKeys::jogReleased, m_motion, &MotionColumn::letGo);
+    connect(&context(), &Context::disarmRequested, m_motion, &MotionColumn::letGoAll);
     connect(m_watch, &PanelWatch::focusMoved, m_motion, &MotionColumn::letGoAll);
     connect(m_watch, &PanelWatch::left, this, [this] {
         m_motion->letGoAll();

@@ -24,6 +24,7 @@ PanelControl::PanelControl(Context& context, std::string axis, QObject* parent)
         disarm();
         lose();
     });
+    connect(&context, &Context::disarmRequested, this, &PanelControl::disarm);
     connect(&context, &Context::linkChanged, this, &PanelControl::changed);
     connect(&context, &Context::linkStateChanged, this, [this](LinkState state) {
         if (state != LinkState::Online)

@@ -80,6 +80,17 @@ void Context::disarm(QObject* panel)
     emit armedChanged(isArmed());
 }
 
+void Context::disarmAll(const QString& why)
+{
+    const bool wasArmed = isArmed();
+    emit disarmRequested();
+    const auto left = m_armed;
+    for (QObject* panel : left)
+        disarm(panel);
+    if (wasArmed)
+        notify(Severity::Warning, why);
+}
+
 void Context::open(const ObjectKey& key, const QString& viewId)
 {
     emit openRequested(key, viewId, false);

@@ -53,6 +53,9 @@ public:
     void arm(QObject* panel);
     void disarm(QObject* panel);
     bool isArmed() const { return !m_armed.isEmpty(); }
+    /// The user is no longer there: every armed panel stops what it moves and disarms, and the heartbeat ends whatever they do.
+    /// `why` is told if one was armed.
+    void disarmAll(const QString& why);
 
     // --- navigation
     void open(const ObjectKey& key, const QString& viewId = {});
@@ -87,6 +90,7 @@ signals:
     void statusChanged(const camwright::ControllerStatus& status);
     void programMatchesChanged(bool matches);
     void armedChanged(bool armed);
+    void disarmRequested();                              ///< to panels that are armed or about to be
     void selectionChanged(const camwright::Selection& selection);
     void referencesRequested(const camwright::Selection& selection);
 

@@ -91,6 +91,7 @@ void ScopePlot::makeBands(Lane& lane)
     y->setRange(0, 1);
     y->setTicks(false);
     y->setTickLabels(false);
+    y->grid()->setVisible(false);
     lane.bands = new StateLane(lane.rect->axis(QCPAxis::atBottom), y);
     lane.bands->setNames(lane.names);
 }

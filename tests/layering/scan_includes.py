@@ -13,6 +13,7 @@ WIDGET_HEADER = re.compile(
     r"|QHeaderView|QStyledItemDelegate|QCompleter|QScroll\w+|QCheckBox|QRadioButton|QSlider|QSpinBox|QFrame|QToolTip)$")
 GUI_HEADER = re.compile(r"^(QtGui.*|QColor|QFont\w*|QIcon|QImage|QPainter\w*|QPixmap|QPen|QBrush|QKey\w+|QMouse\w+|QWindow|QScreen"
                         r"|QClipboard|QCursor|QPalette|QSvg\w+|QPolygon\w*|QTransform)$")
+DBUS_HEADER = re.compile(r"^(QDBus\w+|QtDBus.*)$") # the window's alone
 CORE_FORBIDDEN = {"thread", "mutex", "condition_variable", "future", "locale", "filesystem"}
 
 # folder prefix -> the folders of ours it may include, whether it may use Qt Core, Gui, Widgets
@@ -52,7 +53,9 @@ def violations_of(path, text):
             if not any(name.startswith(a) for a in allowed + [own_folder]):
                 yield number, f"{name}: {prefix} may not include it"
         elif QT_HEADER.match(name):
-            if not qt:
+            if DBUS_HEADER.match(name) and not path.startswith("app/window/"):
+                yield number, f"{name}: only app/window speaks D-Bus"
+            elif not qt:
                 yield number, f"{name}: {prefix} knows no Qt"
             elif WIDGET_HEADER.match(name) and not widgets:
                 yield number, f"{name}: {prefix} knows no widgets"

@@ -186,12 +186,12 @@ private slots:
         Bench bench;
         bench.recordTwo();
         bench.finish({{1, 2}, {3, 4}});
-        QCOMPARE(bench.panel->plot().graphCount(), 2);
+        QCOMPARE(bench.panel->plot().plottableCount(), 2);
         bench.panel->start();
-        QCOMPARE(bench.panel->plot().graphCount(), 0);
+        QCOMPARE(bench.panel->plot().plottableCount(), 0);
         QCOMPARE(bench.panel->buffer().rows(), std::uint64_t(0));
         bench.finish({{1, 2}, {0, 1}}, 2, {{"A", DataType::Lreal, "mm"}, {"Run", DataType::Bool, ""}});
-        QCOMPARE(bench.panel->plot().graphCount(), 2);
+        QCOMPARE(bench.panel->plot().plottableCount(), 2);
     }
 
     void aHiddenChannelStaysHiddenInTheNextRecording()
@@ -200,10 +200,10 @@ private slots:
         bench.recordTwo();
         bench.finish({{1, 2}, {3, 4}});
         bench.list()->model()->setData(bench.list()->model()->index(0, 0), Qt::Unchecked, Qt::CheckStateRole);
-        QCOMPARE(bench.panel->plot().graphCount(), 1);
+        QCOMPARE(bench.panel->plot().plottableCount(), 1);
         bench.panel->start();
         bench.finish({{1, 2}, {3, 4}}, 2);
-        QCOMPARE(bench.panel->plot().graphCount(), 1);
+        QCOMPARE(bench.panel->plot().plottableCount(), 1);
     }
 
     void thePresetQuotesTheAxis() // CONTRACTS 18
