@@ -575,16 +575,48 @@
         <translation>клиент</translation>
     </message>
     <message>
+        <source>a constant</source>
+        <translation>константа</translation>
+    </message>
+    <message>
         <source>a digest that has neither 0 nor 32 bytes</source>
         <translation>хеш длиной не 0 и не 32 байта</translation>
+    </message>
+    <message>
+        <source>a function block that can be extended</source>
+        <translation>функциональный блок, который можно расширить</translation>
+    </message>
+    <message>
+        <source>a global variable</source>
+        <translation>глобальная переменная</translation>
+    </message>
+    <message>
+        <source>a label of the CASE</source>
+        <translation>метка CASE</translation>
     </message>
     <message>
         <source>a message before the handshake was done</source>
         <translation>сообщение до окончания приветствия</translation>
     </message>
     <message>
+        <source>a name</source>
+        <translation>имя</translation>
+    </message>
+    <message>
         <source>a negative scan period or watchdog time</source>
         <translation>период сканирования или время сторожевого таймера отрицательны</translation>
+    </message>
+    <message>
+        <source>a program</source>
+        <translation>программа</translation>
+    </message>
+    <message>
+        <source>a real number</source>
+        <translation>действительное число</translation>
+    </message>
+    <message>
+        <source>a reference</source>
+        <translation>ссылка</translation>
     </message>
     <message>
         <source>a routine has no name, or two have the same</source>
@@ -595,12 +627,24 @@
         <translation>второе приветствие</translation>
     </message>
     <message>
+        <source>a statement</source>
+        <translation>оператор</translation>
+    </message>
+    <message>
+        <source>a string</source>
+        <translation>строка</translation>
+    </message>
+    <message>
         <source>a text that is longer than the message</source>
         <translation>текст длиннее сообщения</translation>
     </message>
     <message>
         <source>a text that is no UTF-8</source>
         <translation>текст не в UTF-8</translation>
+    </message>
+    <message>
+        <source>a type</source>
+        <translation>тип</translation>
     </message>
     <message>
         <source>a value nobody asked for</source>
@@ -611,6 +655,18 @@
         <translation>значение шире своего типа</translation>
     </message>
     <message>
+        <source>a variable without an address</source>
+        <translation>переменная без адреса</translation>
+    </message>
+    <message>
+        <source>a whole number</source>
+        <translation>целое число</translation>
+    </message>
+    <message>
+        <source>a whole-number type</source>
+        <translation>целый тип</translation>
+    </message>
+    <message>
         <source>a wrong answer to piece</source>
         <translation>неверный ответ на часть загрузки</translation>
     </message>
@@ -619,8 +675,32 @@
         <translation>не удалось обратиться из-за аппаратной ошибки</translation>
     </message>
     <message>
+        <source>an address</source>
+        <translation>адрес</translation>
+    </message>
+    <message>
+        <source>an array</source>
+        <translation>массив</translation>
+    </message>
+    <message>
+        <source>an expression</source>
+        <translation>выражение</translation>
+    </message>
+    <message>
         <source>an initial value lies outside its area</source>
         <translation>начальное значение лежит вне своей области</translation>
+    </message>
+    <message>
+        <source>an input</source>
+        <translation>вход</translation>
+    </message>
+    <message>
+        <source>an interface</source>
+        <translation>интерфейс</translation>
+    </message>
+    <message>
+        <source>an output</source>
+        <translation>выход</translation>
     </message>
     <message>
         <source>another number of types than was asked for</source>
@@ -743,6 +823,10 @@
         <translation>нет ответного приветствия</translation>
     </message>
     <message>
+        <source>nothing</source>
+        <translation>ничего</translation>
+    </message>
+    <message>
         <source>nothing came for %1 s</source>
         <translation>ничего не приходило %1 с</translation>
     </message>
@@ -785,6 +869,14 @@
     <message>
         <source>the axes are not in order</source>
         <translation>оси идут не по порядку</translation>
+    </message>
+    <message>
+        <source>the counter of a loop around it</source>
+        <translation>счётчик внешнего цикла</translation>
+    </message>
+    <message>
+        <source>the end of the text</source>
+        <translation>конец текста</translation>
     </message>
     <message>
         <source>the flag of failed instructions lies outside its area</source>
@@ -1106,6 +1198,10 @@
         <translation>«%1» не является проектом Camwright: в нём нет файла project.toml.</translation>
     </message>
     <message>
+        <source>&quot;%1&quot; is not a character of a string. Write $$, $&apos;, $L, $N, $P, $R, $T, or $ and two hexadecimal digits.</source>
+        <translation>«%1» не знак строки. Пишите $$, $&apos;, $L, $N, $P, $R, $T или $ и две шестнадцатеричные цифры.</translation>
+    </message>
+    <message>
         <source>&quot;%1&quot; is not a complete address. Write it like &quot;%2&quot;.</source>
         <translation>«%1» — неполный адрес. Пишите так: «%2».</translation>
     </message>
@@ -1114,12 +1210,28 @@
         <translation>«%1» не является константой типа %2. Пишите так: %3.</translation>
     </message>
     <message>
+        <source>&quot;%1&quot; is not a date or a time of day. Write it like %2, with a year from 1970 to 2261.</source>
+        <translation>«%1» не дата и не время суток. Пишите, например, %2, год от 1970 до 2261.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not a duration. Write it like %2: from days to nanoseconds (d, h, m, s, ms, us, ns).</source>
+        <translation>«%1» не длительность. Пишите, например, %2: от дней до наносекунд (d, h, m, s, ms, us, ns).</translation>
+    </message>
+    <message>
         <source>&quot;%1&quot; is not a form of area %2. Its forms are %3.</source>
         <translation>«%1» не является формой области %2. Её формы: %3.</translation>
     </message>
     <message>
+        <source>&quot;%1&quot; is not a name. A name has letters A to Z, digits and single underscores between them, at most %2.</source>
+        <translation>«%1» не имя. В имени буквы A–Z, цифры и одиночные подчёркивания между ними, не более %2.</translation>
+    </message>
+    <message>
         <source>&quot;%1&quot; is not a number, as %2 has to be.</source>
         <translation>«%1» не число, а %2 должно быть числом.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not a number. Write it like %2.</source>
+        <translation>«%1» не число. Пишите, например, %2.</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is not a value of type %2. Write it like %3.</source>
@@ -1128,6 +1240,10 @@
     <message>
         <source>&quot;%1&quot; is not a whole number, as %2 has to be.</source>
         <translation>«%1» не целое число, а %2 должно быть целым.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not an address.</source>
+        <translation>«%1» не адрес.</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is not an instruction and not a comment. Remove it, or write it as (* %1 *).</source>
@@ -1222,12 +1338,40 @@
         <translation>«%1» начинается с нечётного байта. Слова, двойные слова и вещественные начинаются с чётного: используйте «%2» или «%3».</translation>
     </message>
     <message>
+        <source>%1 belongs to nothing that is open here. Remove it, or write what it ends.</source>
+        <translation>%1 здесь ничего не закрывает. Удалите слово или напишите то, что им заканчивается.</translation>
+    </message>
+    <message>
         <source>%1 bit/s is not a baud rate of the network. Choose one of %2.</source>
         <translation>%1 бит/с не является скоростью этой сети. Выберите одну из: %2.</translation>
     </message>
     <message>
+        <source>%1 calls itself, directly or through others. Write a loop instead.</source>
+        <translation>%1 вызывает себя, прямо или через других. Напишите цикл.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be called.</source>
+        <translation>%1 нельзя вызвать.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be compiled by this version of Camwright. See the page of Structured Text for what can be.</source>
+        <translation>Эта версия Camwright не компилирует %1. Что компилируется, сказано на странице о структурированном тексте.</translation>
+    </message>
+    <message>
         <source>%1 cannot be the operand %2 of %3. The memory areas allowed are %4.</source>
         <translation>%1 не может быть операндом %2 инструкции %3. Допустимые области памяти: %4.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be the place of a variable of type %2 on this controller.</source>
+        <translation>%1 не может быть местом переменной типа %2 на этом контроллере.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be written here, it is %2.</source>
+        <translation>%1 здесь нельзя записать, это %2.</translation>
+    </message>
+    <message>
+        <source>%1 cannot stand here.</source>
+        <translation>%1 не может здесь стоять.</translation>
     </message>
     <message>
         <source>%1 clients are connected already; no more are taken.</source>
@@ -1238,12 +1382,24 @@
         <translation>%1: подключение установлено.</translation>
     </message>
     <message>
+        <source>%1 contains itself. Break the circle, for instance with REF_TO.</source>
+        <translation>%1 содержит само себя. Разорвите круг, например с помощью REF_TO.</translation>
+    </message>
+    <message>
         <source>%1 disconnected.</source>
         <translation>%1: подключение закончено.</translation>
     </message>
     <message>
         <source>%1 does not belong here. SBR is the first instruction of a program of the role subroutine, RT and RTC stand in one.</source>
         <translation>%1 здесь не на месте. SBR — первая команда программы с ролью подпрограммы, RT и RTC стоят в такой программе.</translation>
+    </message>
+    <message>
+        <source>%1 does not exist for %2 and %3.</source>
+        <translation>%1 не существует для %2 и %3.</translation>
+    </message>
+    <message>
+        <source>%1 does not exist for %2.</source>
+        <translation>%1 не существует для %2.</translation>
     </message>
     <message>
         <source>%1 has control. It is free as soon as they release it or their connection ends.</source>
@@ -1262,8 +1418,16 @@
         <translation>Перед %1 нет буквы. Напишите K%1 для числа или O%1 для восьмеричного адреса.</translation>
     </message>
     <message>
+        <source>%1 has no member %2.</source>
+        <translation>У %1 нет элемента %2.</translation>
+    </message>
+    <message>
         <source>%1 has no operand named %2. Its operands are %3.</source>
         <translation>У %1 нет операнда с именем %2. Её операнды: %3.</translation>
+    </message>
+    <message>
+        <source>%1 has no parameter %2.</source>
+        <translation>У %1 нет параметра %2.</translation>
     </message>
     <message>
         <source>%1 has no parameters. Write the call without further operands.</source>
@@ -1272,6 +1436,10 @@
     <message>
         <source>%1 has no power flow in front of it. A rung begins with %2.</source>
         <translation>Перед %1 нет логического потока. Цепь начинается с %2.</translation>
+    </message>
+    <message>
+        <source>%1 implements %2 and has no method %3. Write it with the same parameters.</source>
+        <translation>%1 реализует %2, но не имеет метода %3. Напишите его с теми же параметрами.</translation>
     </message>
     <message>
         <source>%1 is %2 and %3 is %4. The operands of %5 have one common type.</source>
@@ -1286,12 +1454,40 @@
         <translation>%1 — константа, а %3 записывает результат в операнд %2. Напишите адрес.</translation>
     </message>
     <message>
+        <source>%1 is a word of the language and cannot be a name. Choose another name.</source>
+        <translation>%1 — слово языка и не может быть именем. Выберите другое имя.</translation>
+    </message>
+    <message>
         <source>%1 is an extension of Camwright and strict Kinco is set. Write the group to a marker bit in a network of its own, and use the bit here.</source>
         <translation>%1 — расширение Camwright, а включён строгий режим Kinco. Запишите группу в бит-маркер в отдельной сети и используйте здесь этот бит.</translation>
     </message>
     <message>
+        <source>%1 is declared already. Choose another name.</source>
+        <translation>%1 уже объявлено. Выберите другое имя.</translation>
+    </message>
+    <message>
+        <source>%1 is given twice.</source>
+        <translation>%1 дано дважды.</translation>
+    </message>
+    <message>
+        <source>%1 is missing here.</source>
+        <translation>Здесь не хватает %1.</translation>
+    </message>
+    <message>
+        <source>%1 is needed here, and this is %2.</source>
+        <translation>Здесь нужен %1, а это %2.</translation>
+    </message>
+    <message>
+        <source>%1 is needed here, and this is %2. Convert it with %3.</source>
+        <translation>Здесь нужен %1, а это %2. Преобразуйте с помощью %3.</translation>
+    </message>
+    <message>
         <source>%1 is no usable %2 for axis &quot;%3&quot;.</source>
         <translation>%1 не годится как %2 для оси «%3».</translation>
+    </message>
+    <message>
+        <source>%1 is not %2.</source>
+        <translation>%1 — это не %2.</translation>
     </message>
     <message>
         <source>%1 is not a communication cycle. It is 1000 to 8000 microseconds, in BCD.</source>
@@ -1312,6 +1508,10 @@
     <message>
         <source>%1 is not an address of this machine itself. Until users and encryption exist the runtime listens on 127.0.0.1 or ::1 only.</source>
         <translation>%1 — не адрес самой этой машины. Пока нет пользователей и шифрования, среда выполнения слушает только 127.0.0.1 или ::1.</translation>
+    </message>
+    <message>
+        <source>%1 is not closed. Write %2 where it ends.</source>
+        <translation>%1 не закрыто. Напишите %2 там, где оно кончается.</translation>
     </message>
     <message>
         <source>%1 is out of range for %2, which goes from %3 to %4.</source>
@@ -1386,6 +1586,18 @@
         <translation>%1 прислал не сообщение протокола связи: %2. Соединение закрыто.</translation>
     </message>
     <message>
+        <source>%1 stands outside of every loop.</source>
+        <translation>%1 стоит вне всех циклов.</translation>
+    </message>
+    <message>
+        <source>%1 stands outside of everything that is declared. A text holds TYPE, FUNCTION, FUNCTION_BLOCK, INTERFACE, PROGRAM, VAR_GLOBAL and CONFIGURATION.</source>
+        <translation>%1 стоит вне всех объявлений. В тексте бывают TYPE, FUNCTION, FUNCTION_BLOCK, INTERFACE, PROGRAM, VAR_GLOBAL и CONFIGURATION.</translation>
+    </message>
+    <message>
+        <source>%1 takes %2 arguments, here are %3.</source>
+        <translation>%1 принимает аргументов: %2, здесь их %3.</translation>
+    </message>
+    <message>
         <source>%1 takes %2 flows, and fewer are open here. Begin each of them with STR.</source>
         <translation>%1 берёт потоков: %2, здесь открыто меньше. Начните каждый из них с STR.</translation>
     </message>
@@ -1402,8 +1614,20 @@
         <translation>В %2 нет переменных типа %1. Типы: %3.</translation>
     </message>
     <message>
+        <source>= compares two values. Write := to assign one.</source>
+        <translation>= сравнивает два значения. Для присваивания напишите :=.</translation>
+    </message>
+    <message>
+        <source>A FOR cannot step by 0.</source>
+        <translation>Шаг FOR не может быть 0.</translation>
+    </message>
+    <message>
         <source>A Kinco axis moves with its drive&apos;s own acceleration. Leave the acceleration at 0, or set drive parameters 0 and 1 with MC_WPARAS.</source>
         <translation>Ось Kinco движется с ускорением своего привода. Оставьте ускорение равным 0 или задайте параметры привода 0 и 1 через MC_WPARAS.</translation>
+    </message>
+    <message>
+        <source>A constant is needed here: its value must be known before the program runs.</source>
+        <translation>Здесь нужна константа: её значение должно быть известно до запуска программы.</translation>
     </message>
     <message>
         <source>A download is already being taken over. Wait until it has ended.</source>
@@ -1438,8 +1662,16 @@
         <translation>Ячейка в кавычках не закрыта. Закройте её кавычкой, за которой идёт запятая или конец строки.</translation>
     </message>
     <message>
+        <source>A real %1 has no Structured Text. This program runs on the virtual controller only.</source>
+        <translation>У настоящего %1 нет структурированного текста. Программа работает только на виртуальном контроллере.</translation>
+    </message>
+    <message>
         <source>A trace needs at least one channel and at most %1.</source>
         <translation>Для записи нужен хотя бы один канал, самое большее: %1.</translation>
+    </message>
+    <message>
+        <source>A variable is needed here.</source>
+        <translation>Здесь нужна переменная.</translation>
     </message>
     <message>
         <source>All axes were stopped by command.</source>
@@ -1594,6 +1826,10 @@
         <translation>Форсирование снимается, значений: %1.</translation>
     </message>
     <message>
+        <source>Here stands %1, and %2 is expected.</source>
+        <translation>Здесь стоит %1, а ожидается %2.</translation>
+    </message>
+    <message>
         <source>Listening on %1 failed: %2.</source>
         <translation>Не удалось начать приём соединений по адресу %1: %2.</translation>
     </message>
@@ -1630,6 +1866,10 @@
         <translation>Программа %1 принята от %2.</translation>
     </message>
     <message>
+        <source>Statements, parentheses or types are nested more than %1 deep here. Split them up.</source>
+        <translation>Операторы, скобки или типы вложены здесь глубже %1. Разделите их.</translation>
+    </message>
+    <message>
         <source>Subroutine calls nest deeper than %1 levels. Call &quot;%2&quot; from a routine nearer to the main program.</source>
         <translation>Вложенность вызовов подпрограмм больше %1. Вызывайте «%2» из подпрограммы ближе к главной программе.</translation>
     </message>
@@ -1656,6 +1896,10 @@
     <message>
         <source>The byte 16#%1 is not UTF-8 text. Save the file as UTF-8.</source>
         <translation>Байт 16#%1 не относится к тексту UTF-8. Сохраните файл в UTF-8.</translation>
+    </message>
+    <message>
+        <source>The character %1 has no meaning here. Remove it.</source>
+        <translation>Знак %1 здесь ничего не значит. Удалите его.</translation>
     </message>
     <message>
         <source>The comment that begins here is not closed before network %1. End it with *).</source>
@@ -1702,6 +1946,10 @@
         <translation>Меняются настройки контроллера: модель, период сканирования, сторожевой таймер или память.</translation>
     </message>
     <message>
+        <source>The counter of a FOR is a variable of a whole-number type. This is %1.</source>
+        <translation>Счётчик FOR — переменная целого типа. Это %1.</translation>
+    </message>
+    <message>
         <source>The data folder &quot;%1&quot; is in use by another runtime.</source>
         <translation>Папка данных «%1» занята другой средой выполнения.</translation>
     </message>
@@ -1736,6 +1984,10 @@
     <message>
         <source>The flow that begins here is never used. Join it with ANB or ORB, or give it an output.</source>
         <translation>Поток, начатый здесь, нигде не используется. Соедините его через ANB или ORB или дайте ему выход.</translation>
+    </message>
+    <message>
+        <source>The function %1 never sets its result. Assign to %1.</source>
+        <translation>Функция %1 не задаёт результат. Присвойте значение %1.</translation>
     </message>
     <message>
         <source>The group opened by %1 is not closed. Write ) on a line of its own.</source>
@@ -1774,6 +2026,10 @@
         <translation>Нижний концевой выключатель %1 не ниже верхнего %2.</translation>
     </message>
     <message>
+        <source>The main program is written in Structured Text, and its text has no PROGRAM.</source>
+        <translation>Главная программа написана на структурированном тексте, но в тексте нет PROGRAM.</translation>
+    </message>
+    <message>
         <source>The module in slot %1 uses 496 words from %2 on, and they do not fit into the memory there.</source>
         <translation>Модуль в слоте %1 использует 496 слов начиная с %2, и они там не помещаются в память.</translation>
     </message>
@@ -1784,6 +2040,10 @@
     <message>
         <source>The name is empty. Give a name.</source>
         <translation>Имя пустое. Задайте имя.</translation>
+    </message>
+    <message>
+        <source>The number %1 is too large for any type.</source>
+        <translation>Число %1 слишком велико для любого типа.</translation>
     </message>
     <message>
         <source>The operand %1 of %2 cannot be left empty.</source>
@@ -1828,6 +2088,14 @@
     <message>
         <source>The other side speaks version %1 of the online protocol, this one speaks version %2. Use programs of the same release.</source>
         <translation>Другая сторона использует версию %1 протокола связи, эта — версию %2. Используйте программы одного выпуска.</translation>
+    </message>
+    <message>
+        <source>The parameter %1 of %2 is not given. It is VAR_IN_OUT and needs a variable.</source>
+        <translation>Параметр %1 у %2 не дан. Это VAR_IN_OUT, ему нужна переменная.</translation>
+    </message>
+    <message>
+        <source>The pragma that begins here is not closed before the end of the text. End it with }.</source>
+        <translation>Прагма, которая здесь начинается, не закрыта до конца текста. Закройте её знаком }.</translation>
     </message>
     <message>
         <source>The process data of %1 axes would load the bus with %2 % at %3 bit/s. Raise the PDO inhibit times or the baud rate.</source>
@@ -1890,6 +2158,10 @@
         <translation>Проект сохранён, но не все файлы удалось поставить на место: %1. Это будет сделано при следующем сохранении или открытии; до тех пор другие программы видят смесь старых и новых файлов.</translation>
     </message>
     <message>
+        <source>The range %1..%2 is empty or too large.</source>
+        <translation>Диапазон %1..%2 пуст или слишком велик.</translation>
+    </message>
+    <message>
         <source>The record of unsaved edits in &quot;%1&quot; is damaged and cannot be read.</source>
         <translation>Запись несохранённых правок в «%1» повреждена и не читается.</translation>
     </message>
@@ -1934,8 +2206,16 @@
         <translation>Записанные сохраняемые значения использовать нельзя: %1. Они получают начальные значения.</translation>
     </message>
     <message>
+        <source>The string that begins here is not closed on its line. End it with the same quotation mark.</source>
+        <translation>Строка, которая здесь начинается, не закрыта до конца строки текста. Закройте её той же кавычкой.</translation>
+    </message>
+    <message>
         <source>The subroutine number %1 is already that of %2. Give each subroutine a number of its own.</source>
         <translation>Номер подпрограммы %1 уже занят программой %2. Дайте каждой подпрограмме собственный номер.</translation>
+    </message>
+    <message>
+        <source>The subscript %1 is outside the array, which goes from %2 to %3.</source>
+        <translation>Индекс %1 вне массива, который идёт от %2 до %3.</translation>
     </message>
     <message>
         <source>The supply was switched off and on.</source>
@@ -1950,6 +2230,10 @@
         <translation>Настройка записи «%1» вне диапазона: %2.</translation>
     </message>
     <message>
+        <source>The value %1 has a branch in this CASE already.</source>
+        <translation>У значения %1 уже есть ветвь в этом CASE.</translation>
+    </message>
+    <message>
         <source>The variable &quot;%1&quot; has no address. Variables of this controller need one.</source>
         <translation>У переменной «%1» нет адреса. Переменным этого контроллера он нужен.</translation>
     </message>
@@ -1958,8 +2242,16 @@
         <translation>У переменной %1 нет пригодного адреса. Задайте его в таблице переменных.</translation>
     </message>
     <message>
+        <source>The variable %1 is never used.</source>
+        <translation>Переменная %1 не используется.</translation>
+    </message>
+    <message>
         <source>The variable table makes %1 the %2 variable %3; here it is used as %4. Use it as %2, or change the variable.</source>
         <translation>По таблице переменных %1 — это переменная %3 типа %2; здесь она используется как %4. Используйте её как %2 или измените переменную.</translation>
+    </message>
+    <message>
+        <source>The variables need more than %1 bytes. Make arrays smaller.</source>
+        <translation>Переменным нужно больше %1 байт. Уменьшите массивы.</translation>
     </message>
     <message>
         <source>The virtual controller could not be started: &quot;%1&quot; is missing or cannot be run. Reinstall Camwright.</source>
@@ -1974,12 +2266,20 @@
         <translation>Сторожевой таймер %1 мс не больше периода сканирования %2 мс, и он сработает в каждом цикле.</translation>
     </message>
     <message>
+        <source>There are more subscripts here than the array has.</source>
+        <translation>Индексов здесь больше, чем у массива.</translation>
+    </message>
+    <message>
         <source>There are more than %1 problems in this program; the others are not listed. Mend the first ones and check again.</source>
         <translation>Проблем в этой программе больше %1; остальные не показаны. Исправьте первые и проверьте снова.</translation>
     </message>
     <message>
         <source>There are more than %1 warnings in this program; the others are not listed.</source>
         <translation>Предупреждений в этой программе больше %1; остальные не показаны.</translation>
+    </message>
+    <message>
+        <source>There are more values here than %1 has elements.</source>
+        <translation>Значений здесь больше, чем элементов у %1.</translation>
     </message>
     <message>
         <source>There is a character that cannot be seen here: %1. Remove it.</source>
@@ -2034,6 +2334,14 @@
         <translation>Переменной «%1» нет. Возможно, имелась в виду %2?</translation>
     </message>
     <message>
+        <source>There is nothing named &quot;%1&quot; here. Declare it, or correct the name.</source>
+        <translation>Здесь нет ничего с именем «%1». Объявите его или исправьте имя.</translation>
+    </message>
+    <message>
+        <source>There is nothing named &quot;%1&quot; here. Did you mean %2?</source>
+        <translation>Здесь нет ничего с именем «%1». Имеется в виду %2?</translation>
+    </message>
+    <message>
         <source>This call leads back to %1: %2. A controller of this family cannot do that.</source>
         <translation>Этот вызов возвращается к %1: %2. Контроллеры этого семейства так не умеют.</translation>
     </message>
@@ -2046,8 +2354,20 @@
         <translation>Этот контроллер не знает семейства «%1» или его модели «%2».</translation>
     </message>
     <message>
+        <source>This divides by zero.</source>
+        <translation>Здесь деление на ноль.</translation>
+    </message>
+    <message>
+        <source>This expression has more than %1 operators in a row. Split it up with a variable.</source>
+        <translation>В этом выражении больше %1 операторов подряд. Разделите его с помощью переменной.</translation>
+    </message>
+    <message>
         <source>This instruction stands before the first network. Write a line (* Network 0 *) above it.</source>
         <translation>Эта инструкция стоит до первой сети. Напишите над ней строку (* Network 0 *).</translation>
+    </message>
+    <message>
+        <source>This is never reached.</source>
+        <translation>Это никогда не выполняется.</translation>
     </message>
     <message>
         <source>This is not a controller image: it does not begin like one.</source>

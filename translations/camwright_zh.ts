@@ -575,16 +575,48 @@
         <translation>某客户端</translation>
     </message>
     <message>
+        <source>a constant</source>
+        <translation>常量</translation>
+    </message>
+    <message>
         <source>a digest that has neither 0 nor 32 bytes</source>
         <translation>摘要既不是 0 字节也不是 32 字节</translation>
+    </message>
+    <message>
+        <source>a function block that can be extended</source>
+        <translation>可扩展的功能块</translation>
+    </message>
+    <message>
+        <source>a global variable</source>
+        <translation>全局变量</translation>
+    </message>
+    <message>
+        <source>a label of the CASE</source>
+        <translation>CASE 的标号</translation>
     </message>
     <message>
         <source>a message before the handshake was done</source>
         <translation>握手完成之前的报文</translation>
     </message>
     <message>
+        <source>a name</source>
+        <translation>名称</translation>
+    </message>
+    <message>
         <source>a negative scan period or watchdog time</source>
         <translation>扫描周期或看门狗时间为负</translation>
+    </message>
+    <message>
+        <source>a program</source>
+        <translation>程序</translation>
+    </message>
+    <message>
+        <source>a real number</source>
+        <translation>实数</translation>
+    </message>
+    <message>
+        <source>a reference</source>
+        <translation>引用</translation>
     </message>
     <message>
         <source>a routine has no name, or two have the same</source>
@@ -595,12 +627,24 @@
         <translation>第二个 hello 报文</translation>
     </message>
     <message>
+        <source>a statement</source>
+        <translation>语句</translation>
+    </message>
+    <message>
+        <source>a string</source>
+        <translation>字符串</translation>
+    </message>
+    <message>
         <source>a text that is longer than the message</source>
         <translation>文本比报文还长</translation>
     </message>
     <message>
         <source>a text that is no UTF-8</source>
         <translation>文本不是 UTF-8</translation>
+    </message>
+    <message>
+        <source>a type</source>
+        <translation>类型</translation>
     </message>
     <message>
         <source>a value nobody asked for</source>
@@ -611,6 +655,18 @@
         <translation>值超出其类型的宽度</translation>
     </message>
     <message>
+        <source>a variable without an address</source>
+        <translation>没有地址的变量</translation>
+    </message>
+    <message>
+        <source>a whole number</source>
+        <translation>整数</translation>
+    </message>
+    <message>
+        <source>a whole-number type</source>
+        <translation>整数类型</translation>
+    </message>
+    <message>
         <source>a wrong answer to piece</source>
         <translation>对片段的错误应答</translation>
     </message>
@@ -619,8 +675,32 @@
         <translation>因硬件错误访问失败</translation>
     </message>
     <message>
+        <source>an address</source>
+        <translation>地址</translation>
+    </message>
+    <message>
+        <source>an array</source>
+        <translation>数组</translation>
+    </message>
+    <message>
+        <source>an expression</source>
+        <translation>表达式</translation>
+    </message>
+    <message>
         <source>an initial value lies outside its area</source>
         <translation>某初始值超出其存储区</translation>
+    </message>
+    <message>
+        <source>an input</source>
+        <translation>输入</translation>
+    </message>
+    <message>
+        <source>an interface</source>
+        <translation>接口</translation>
+    </message>
+    <message>
+        <source>an output</source>
+        <translation>输出</translation>
     </message>
     <message>
         <source>another number of types than was asked for</source>
@@ -743,6 +823,10 @@
         <translation>没有 welcome 报文</translation>
     </message>
     <message>
+        <source>nothing</source>
+        <translation>无</translation>
+    </message>
+    <message>
         <source>nothing came for %1 s</source>
         <translation>已有 %1 s 没有收到任何数据</translation>
     </message>
@@ -785,6 +869,14 @@
     <message>
         <source>the axes are not in order</source>
         <translation>轴顺序不对</translation>
+    </message>
+    <message>
+        <source>the counter of a loop around it</source>
+        <translation>外层循环的计数变量</translation>
+    </message>
+    <message>
+        <source>the end of the text</source>
+        <translation>文本末尾</translation>
     </message>
     <message>
         <source>the flag of failed instructions lies outside its area</source>
@@ -1104,6 +1196,10 @@
         <translation>“%1”不是 Camwright 工程：其中没有 project.toml 文件。</translation>
     </message>
     <message>
+        <source>&quot;%1&quot; is not a character of a string. Write $$, $&apos;, $L, $N, $P, $R, $T, or $ and two hexadecimal digits.</source>
+        <translation>“%1”不是字符串的字符。请写 $$、$&apos;、$L、$N、$P、$R、$T，或 $ 加两位十六进制数。</translation>
+    </message>
+    <message>
         <source>&quot;%1&quot; is not a complete address. Write it like &quot;%2&quot;.</source>
         <translation>“%1”不是完整的地址。写法示例：“%2”。</translation>
     </message>
@@ -1112,12 +1208,28 @@
         <translation>“%1”不是 %2 类型的常数。写法示例：%3。</translation>
     </message>
     <message>
+        <source>&quot;%1&quot; is not a date or a time of day. Write it like %2, with a year from 1970 to 2261.</source>
+        <translation>“%1”不是日期或时刻。请写成 %2 的形式，年份为 1970 至 2261。</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not a duration. Write it like %2: from days to nanoseconds (d, h, m, s, ms, us, ns).</source>
+        <translation>“%1”不是时间长度。请写成 %2 的形式：从天到纳秒 (d, h, m, s, ms, us, ns)。</translation>
+    </message>
+    <message>
         <source>&quot;%1&quot; is not a form of area %2. Its forms are %3.</source>
         <translation>“%1”不是存储区 %2 的写法。可用写法：%3。</translation>
     </message>
     <message>
+        <source>&quot;%1&quot; is not a name. A name has letters A to Z, digits and single underscores between them, at most %2.</source>
+        <translation>“%1”不是名称。名称由字母 A 到 Z、数字和其间的单个下划线组成，最多 %2 个字符。</translation>
+    </message>
+    <message>
         <source>&quot;%1&quot; is not a number, as %2 has to be.</source>
         <translation>“%1”不是数，而 %2 必须是数。</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not a number. Write it like %2.</source>
+        <translation>“%1”不是数。请写成 %2 的形式。</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is not a value of type %2. Write it like %3.</source>
@@ -1126,6 +1238,10 @@
     <message>
         <source>&quot;%1&quot; is not a whole number, as %2 has to be.</source>
         <translation>“%1”不是整数，而 %2 必须是整数。</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not an address.</source>
+        <translation>“%1”不是地址。</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is not an instruction and not a comment. Remove it, or write it as (* %1 *).</source>
@@ -1220,12 +1336,40 @@
         <translation>“%1”从奇数字节开始。字、双字和实数须从偶数字节开始：使用“%2”或“%3”。</translation>
     </message>
     <message>
+        <source>%1 belongs to nothing that is open here. Remove it, or write what it ends.</source>
+        <translation>这里没有未结束的结构与 %1 对应。请删除它，或写上由它结束的内容。</translation>
+    </message>
+    <message>
         <source>%1 bit/s is not a baud rate of the network. Choose one of %2.</source>
         <translation>%1 bit/s 不是该网络的波特率。可选：%2。</translation>
     </message>
     <message>
+        <source>%1 calls itself, directly or through others. Write a loop instead.</source>
+        <translation>%1 直接或间接调用自身。请改写成循环。</translation>
+    </message>
+    <message>
+        <source>%1 cannot be called.</source>
+        <translation>%1 不能调用。</translation>
+    </message>
+    <message>
+        <source>%1 cannot be compiled by this version of Camwright. See the page of Structured Text for what can be.</source>
+        <translation>此版本的 Camwright 不能编译 %1。可编译的内容见结构化文本的说明。</translation>
+    </message>
+    <message>
         <source>%1 cannot be the operand %2 of %3. The memory areas allowed are %4.</source>
         <translation>%1 不能作为 %3 的操作数 %2。允许的存储区：%4。</translation>
+    </message>
+    <message>
+        <source>%1 cannot be the place of a variable of type %2 on this controller.</source>
+        <translation>在此控制器上，%1 不能作为 %2 类型变量的位置。</translation>
+    </message>
+    <message>
+        <source>%1 cannot be written here, it is %2.</source>
+        <translation>这里不能写入 %1，它是%2。</translation>
+    </message>
+    <message>
+        <source>%1 cannot stand here.</source>
+        <translation>%1 不能位于此处。</translation>
     </message>
     <message>
         <source>%1 clients are connected already; no more are taken.</source>
@@ -1236,12 +1380,24 @@
         <translation>%1 已连接。</translation>
     </message>
     <message>
+        <source>%1 contains itself. Break the circle, for instance with REF_TO.</source>
+        <translation>%1 包含自身。请打破循环，例如用 REF_TO。</translation>
+    </message>
+    <message>
         <source>%1 disconnected.</source>
         <translation>%1 已断开。</translation>
     </message>
     <message>
         <source>%1 does not belong here. SBR is the first instruction of a program of the role subroutine, RT and RTC stand in one.</source>
         <translation>%1 不应在此处。SBR 是子程序角色的程序的第一条指令，RT 和 RTC 只能用在子程序中。</translation>
+    </message>
+    <message>
+        <source>%1 does not exist for %2 and %3.</source>
+        <translation>%1 不适用于 %2 和 %3。</translation>
+    </message>
+    <message>
+        <source>%1 does not exist for %2.</source>
+        <translation>%1 不适用于 %2。</translation>
     </message>
     <message>
         <source>%1 has control. It is free as soon as they release it or their connection ends.</source>
@@ -1260,8 +1416,16 @@
         <translation>%1 前面没有字母。数值写作 K%1，八进制地址写作 O%1。</translation>
     </message>
     <message>
+        <source>%1 has no member %2.</source>
+        <translation>%1 没有成员 %2。</translation>
+    </message>
+    <message>
         <source>%1 has no operand named %2. Its operands are %3.</source>
         <translation>%1 没有名为 %2 的操作数。其操作数：%3。</translation>
+    </message>
+    <message>
+        <source>%1 has no parameter %2.</source>
+        <translation>%1 没有参数 %2。</translation>
     </message>
     <message>
         <source>%1 has no parameters. Write the call without further operands.</source>
@@ -1270,6 +1434,10 @@
     <message>
         <source>%1 has no power flow in front of it. A rung begins with %2.</source>
         <translation>%1 之前没有能流。梯级以 %2 开始。</translation>
+    </message>
+    <message>
+        <source>%1 implements %2 and has no method %3. Write it with the same parameters.</source>
+        <translation>%1 实现 %2，但没有方法 %3。请写出参数相同的该方法。</translation>
     </message>
     <message>
         <source>%1 is %2 and %3 is %4. The operands of %5 have one common type.</source>
@@ -1284,12 +1452,40 @@
         <translation>%1 是常数，而 %3 要将结果写入操作数 %2。写一个地址。</translation>
     </message>
     <message>
+        <source>%1 is a word of the language and cannot be a name. Choose another name.</source>
+        <translation>%1 是语言的保留字，不能作名称。请换一个名称。</translation>
+    </message>
+    <message>
         <source>%1 is an extension of Camwright and strict Kinco is set. Write the group to a marker bit in a network of its own, and use the bit here.</source>
         <translation>%1 是 Camwright 的扩展，而已设为严格 Kinco。在单独的网络中将该组写入标志位，并在此使用该位。</translation>
     </message>
     <message>
+        <source>%1 is declared already. Choose another name.</source>
+        <translation>%1 已经声明过。请换一个名称。</translation>
+    </message>
+    <message>
+        <source>%1 is given twice.</source>
+        <translation>%1 给出了两次。</translation>
+    </message>
+    <message>
+        <source>%1 is missing here.</source>
+        <translation>这里缺少 %1。</translation>
+    </message>
+    <message>
+        <source>%1 is needed here, and this is %2.</source>
+        <translation>这里需要 %1，而这是 %2。</translation>
+    </message>
+    <message>
+        <source>%1 is needed here, and this is %2. Convert it with %3.</source>
+        <translation>这里需要 %1，而这是 %2。请用 %3 转换。</translation>
+    </message>
+    <message>
         <source>%1 is no usable %2 for axis &quot;%3&quot;.</source>
         <translation>%1 不能用作轴“%3”的 %2。</translation>
+    </message>
+    <message>
+        <source>%1 is not %2.</source>
+        <translation>%1 不是%2。</translation>
     </message>
     <message>
         <source>%1 is not a communication cycle. It is 1000 to 8000 microseconds, in BCD.</source>
@@ -1310,6 +1506,10 @@
     <message>
         <source>%1 is not an address of this machine itself. Until users and encryption exist the runtime listens on 127.0.0.1 or ::1 only.</source>
         <translation>%1 不是本机自身的地址。在具备用户和加密功能之前，运行时只在 127.0.0.1 或 ::1 上侦听。</translation>
+    </message>
+    <message>
+        <source>%1 is not closed. Write %2 where it ends.</source>
+        <translation>%1 没有结束。请在其末尾写上 %2。</translation>
     </message>
     <message>
         <source>%1 is out of range for %2, which goes from %3 to %4.</source>
@@ -1384,6 +1584,18 @@
         <translation>%1 发来的内容不是在线协议的报文：%2。连接已关闭。</translation>
     </message>
     <message>
+        <source>%1 stands outside of every loop.</source>
+        <translation>%1 位于所有循环之外。</translation>
+    </message>
+    <message>
+        <source>%1 stands outside of everything that is declared. A text holds TYPE, FUNCTION, FUNCTION_BLOCK, INTERFACE, PROGRAM, VAR_GLOBAL and CONFIGURATION.</source>
+        <translation>%1 位于所有声明之外。文本由 TYPE、FUNCTION、FUNCTION_BLOCK、INTERFACE、PROGRAM、VAR_GLOBAL 和 CONFIGURATION 组成。</translation>
+    </message>
+    <message>
+        <source>%1 takes %2 arguments, here are %3.</source>
+        <translation>%1 需要 %2 个参数，这里有 %3 个。</translation>
+    </message>
+    <message>
         <source>%1 takes %2 flows, and fewer are open here. Begin each of them with STR.</source>
         <translation>%1 需要 %2 个能流，此处不足。每个能流都以 STR 开始。</translation>
     </message>
@@ -1400,8 +1612,20 @@
         <translation>%2 没有 %1 类型的变量。可用类型：%3。</translation>
     </message>
     <message>
+        <source>= compares two values. Write := to assign one.</source>
+        <translation>= 用于比较两个值。赋值请写 :=。</translation>
+    </message>
+    <message>
+        <source>A FOR cannot step by 0.</source>
+        <translation>FOR 的步长不能为 0。</translation>
+    </message>
+    <message>
         <source>A Kinco axis moves with its drive&apos;s own acceleration. Leave the acceleration at 0, or set drive parameters 0 and 1 with MC_WPARAS.</source>
         <translation>Kinco 轴按其驱动器自身的加速度运动。将加速度保持为 0，或用 MC_WPARAS 设置驱动器参数 0 和 1。</translation>
+    </message>
+    <message>
+        <source>A constant is needed here: its value must be known before the program runs.</source>
+        <translation>这里需要常量：其值必须在程序运行前已知。</translation>
     </message>
     <message>
         <source>A download is already being taken over. Wait until it has ended.</source>
@@ -1436,8 +1660,16 @@
         <translation>带引号的单元格没有结束。用引号结束，其后接逗号或行尾。</translation>
     </message>
     <message>
+        <source>A real %1 has no Structured Text. This program runs on the virtual controller only.</source>
+        <translation>真实的 %1 没有结构化文本。此程序只在虚拟控制器上运行。</translation>
+    </message>
+    <message>
         <source>A trace needs at least one channel and at most %1.</source>
         <translation>跟踪至少需要一个通道，最多 %1 个。</translation>
+    </message>
+    <message>
+        <source>A variable is needed here.</source>
+        <translation>这里需要变量。</translation>
     </message>
     <message>
         <source>All axes were stopped by command.</source>
@@ -1592,6 +1824,10 @@
         <translation>强制值将被释放：%1。</translation>
     </message>
     <message>
+        <source>Here stands %1, and %2 is expected.</source>
+        <translation>这里是 %1，应为 %2。</translation>
+    </message>
+    <message>
         <source>Listening on %1 failed: %2.</source>
         <translation>在 %1 上侦听失败：%2。</translation>
     </message>
@@ -1628,6 +1864,10 @@
         <translation>已从 %2 接管程序 %1。</translation>
     </message>
     <message>
+        <source>Statements, parentheses or types are nested more than %1 deep here. Split them up.</source>
+        <translation>这里的语句、括号或类型嵌套超过 %1 层。请拆开。</translation>
+    </message>
+    <message>
         <source>Subroutine calls nest deeper than %1 levels. Call &quot;%2&quot; from a routine nearer to the main program.</source>
         <translation>子程序调用嵌套超过 %1 层。从更接近主程序的子程序中调用“%2”。</translation>
     </message>
@@ -1654,6 +1894,10 @@
     <message>
         <source>The byte 16#%1 is not UTF-8 text. Save the file as UTF-8.</source>
         <translation>字节 16#%1 不是 UTF-8 文本。将文件保存为 UTF-8。</translation>
+    </message>
+    <message>
+        <source>The character %1 has no meaning here. Remove it.</source>
+        <translation>字符 %1 在这里没有意义。请删除。</translation>
     </message>
     <message>
         <source>The comment that begins here is not closed before network %1. End it with *).</source>
@@ -1700,6 +1944,10 @@
         <translation>控制器的设置有改变：型号、扫描周期、看门狗或内存。</translation>
     </message>
     <message>
+        <source>The counter of a FOR is a variable of a whole-number type. This is %1.</source>
+        <translation>FOR 的计数变量须为整数类型的变量。这是 %1。</translation>
+    </message>
+    <message>
         <source>The data folder &quot;%1&quot; is in use by another runtime.</source>
         <translation>数据文件夹“%1”正被另一个运行时使用。</translation>
     </message>
@@ -1734,6 +1982,10 @@
     <message>
         <source>The flow that begins here is never used. Join it with ANB or ORB, or give it an output.</source>
         <translation>此处开始的能流未被使用。用 ANB 或 ORB 连接它，或给它一个输出。</translation>
+    </message>
+    <message>
+        <source>The function %1 never sets its result. Assign to %1.</source>
+        <translation>函数 %1 从未设置结果。请给 %1 赋值。</translation>
     </message>
     <message>
         <source>The group opened by %1 is not closed. Write ) on a line of its own.</source>
@@ -1772,6 +2024,10 @@
         <translation>下限位开关 %1 不低于上限位开关 %2。</translation>
     </message>
     <message>
+        <source>The main program is written in Structured Text, and its text has no PROGRAM.</source>
+        <translation>主程序用结构化文本编写，但其文本中没有 PROGRAM。</translation>
+    </message>
+    <message>
         <source>The module in slot %1 uses 496 words from %2 on, and they do not fit into the memory there.</source>
         <translation>槽位 %1 的模块从 %2 起占用 496 个字，此处存储器放不下。</translation>
     </message>
@@ -1782,6 +2038,10 @@
     <message>
         <source>The name is empty. Give a name.</source>
         <translation>名称为空。输入一个名称。</translation>
+    </message>
+    <message>
+        <source>The number %1 is too large for any type.</source>
+        <translation>数 %1 超出所有类型的范围。</translation>
     </message>
     <message>
         <source>The operand %1 of %2 cannot be left empty.</source>
@@ -1826,6 +2086,14 @@
     <message>
         <source>The other side speaks version %1 of the online protocol, this one speaks version %2. Use programs of the same release.</source>
         <translation>对方使用在线协议版本 %1，本方使用版本 %2。使用同一发行版的程序。</translation>
+    </message>
+    <message>
+        <source>The parameter %1 of %2 is not given. It is VAR_IN_OUT and needs a variable.</source>
+        <translation>没有给出 %2 的参数 %1。它是 VAR_IN_OUT，需要变量。</translation>
+    </message>
+    <message>
+        <source>The pragma that begins here is not closed before the end of the text. End it with }.</source>
+        <translation>从这里开始的编译指示到文本末尾都没有结束。请用 } 结束它。</translation>
     </message>
     <message>
         <source>The process data of %1 axes would load the bus with %2 % at %3 bit/s. Raise the PDO inhibit times or the baud rate.</source>
@@ -1888,6 +2156,10 @@
         <translation>工程已保存，但并非所有文件都能放到位：%1。下次保存或打开时会完成；在此之前其他程序看到的是新旧混合的文件。</translation>
     </message>
     <message>
+        <source>The range %1..%2 is empty or too large.</source>
+        <translation>范围 %1..%2 为空或过大。</translation>
+    </message>
+    <message>
         <source>The record of unsaved edits in &quot;%1&quot; is damaged and cannot be read.</source>
         <translation>“%1”中未保存编辑的记录已损坏，无法读取。</translation>
     </message>
@@ -1932,8 +2204,16 @@
         <translation>存储的断电保持值无法使用：%1。以初始值开始。</translation>
     </message>
     <message>
+        <source>The string that begins here is not closed on its line. End it with the same quotation mark.</source>
+        <translation>从这里开始的字符串在本行没有结束。请用同样的引号结束它。</translation>
+    </message>
+    <message>
         <source>The subroutine number %1 is already that of %2. Give each subroutine a number of its own.</source>
         <translation>子程序编号 %1 已被 %2 使用。请为每个子程序指定不同的编号。</translation>
+    </message>
+    <message>
+        <source>The subscript %1 is outside the array, which goes from %2 to %3.</source>
+        <translation>下标 %1 超出数组的范围 %2 至 %3。</translation>
     </message>
     <message>
         <source>The supply was switched off and on.</source>
@@ -1948,6 +2228,10 @@
         <translation>跟踪设置“%1”超出范围（%2）。</translation>
     </message>
     <message>
+        <source>The value %1 has a branch in this CASE already.</source>
+        <translation>值 %1 在此 CASE 中已有分支。</translation>
+    </message>
+    <message>
         <source>The variable &quot;%1&quot; has no address. Variables of this controller need one.</source>
         <translation>变量“%1”没有地址。此控制器的变量需要地址。</translation>
     </message>
@@ -1956,8 +2240,16 @@
         <translation>变量 %1 没有可用的地址。在其变量表中给出地址。</translation>
     </message>
     <message>
+        <source>The variable %1 is never used.</source>
+        <translation>变量 %1 从未使用。</translation>
+    </message>
+    <message>
         <source>The variable table makes %1 the %2 variable %3; here it is used as %4. Use it as %2, or change the variable.</source>
         <translation>变量表将 %1 定为 %2 类型的变量 %3；此处却作为 %4 使用。按 %2 使用，或修改变量。</translation>
+    </message>
+    <message>
+        <source>The variables need more than %1 bytes. Make arrays smaller.</source>
+        <translation>变量需要的字节数超过 %1。请缩小数组。</translation>
     </message>
     <message>
         <source>The virtual controller could not be started: &quot;%1&quot; is missing or cannot be run. Reinstall Camwright.</source>
@@ -1972,12 +2264,20 @@
         <translation>看门狗 %1 ms 不大于扫描周期 %2 ms，因此每次扫描都会触发它。</translation>
     </message>
     <message>
+        <source>There are more subscripts here than the array has.</source>
+        <translation>这里的下标比数组的维数多。</translation>
+    </message>
+    <message>
         <source>There are more than %1 problems in this program; the others are not listed. Mend the first ones and check again.</source>
         <translation>此程序中的问题超过 %1 个，其余未列出。先改正前面的，再检查一次。</translation>
     </message>
     <message>
         <source>There are more than %1 warnings in this program; the others are not listed.</source>
         <translation>此程序中的警告超过 %1 个，其余未列出。</translation>
+    </message>
+    <message>
+        <source>There are more values here than %1 has elements.</source>
+        <translation>这里的值比 %1 的元素多。</translation>
     </message>
     <message>
         <source>There is a character that cannot be seen here: %1. Remove it.</source>
@@ -2032,6 +2332,14 @@
         <translation>没有变量“%1”。是否指 %2？</translation>
     </message>
     <message>
+        <source>There is nothing named &quot;%1&quot; here. Declare it, or correct the name.</source>
+        <translation>这里没有名为“%1”的内容。请声明它，或改正名称。</translation>
+    </message>
+    <message>
+        <source>There is nothing named &quot;%1&quot; here. Did you mean %2?</source>
+        <translation>这里没有名为“%1”的内容。是否指 %2？</translation>
+    </message>
+    <message>
         <source>This call leads back to %1: %2. A controller of this family cannot do that.</source>
         <translation>此调用又回到 %1：%2。该系列控制器不支持这样做。</translation>
     </message>
@@ -2044,8 +2352,20 @@
         <translation>此控制器不认识系列“%1”或其型号“%2”。</translation>
     </message>
     <message>
+        <source>This divides by zero.</source>
+        <translation>这里除以零。</translation>
+    </message>
+    <message>
+        <source>This expression has more than %1 operators in a row. Split it up with a variable.</source>
+        <translation>此表达式连续的运算符超过 %1 个。请用变量把它拆开。</translation>
+    </message>
+    <message>
         <source>This instruction stands before the first network. Write a line (* Network 0 *) above it.</source>
         <translation>此指令位于第一个网络之前。在其上方写一行 (* Network 0 *)。</translation>
+    </message>
+    <message>
+        <source>This is never reached.</source>
+        <translation>这里永远不会执行。</translation>
     </message>
     <message>
         <source>This is not a controller image: it does not begin like one.</source>

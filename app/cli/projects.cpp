@@ -5,7 +5,9 @@
 #include "core/checks/checkproject.h"
 #include "core/family/family.h"
 #include "core/language/compile.h"
+#include "core/language/stprograms.h"
 #include "core/storage/objecttext.h"
+#include "core/storage/projectreader.h"
 
 #include <QDir>
 #include <QFileInfo>
@@ -123,8 +125,32 @@ int cannotWrite(const QString& file)
     return CannotRead;
 }
 
+namespace {
+
+/// A file of Structured Text outside of any project.
+int checkLooseFile(Invocation& call, const QString& path)
+{
+    PosixFileSystem files;
+    const auto text = files.read(path.toStdString(), LargestProjectFile);
+    if (!text) {
+        call.out.diagnostic(text.error());
+        return CannotRead;
+    }
+    Checked checked;
+    const Diagnostics found = checkLooseSt(*text, path.toStdString());
+    for (const Diagnostic& d : found)
+        call.out.diagnostic(d);
+    count(checked, found);
+    summary(call, checked, QStringLiteral("No errors, %1 warnings.").arg(checked.warnings));
+    return checked.errors == 0 ? Done : AnswerIsNo;
+}
+
+} // namespace
+
 int runCheck(Invocation& call)
 {
+    if (call.words[0].endsWith(QLatin1String(".st"), Qt::CaseInsensitive) && QFileInfo(call.words[0]).isFile())
+        return checkLooseFile(call, call.words[0]);
     const Checked checked = compileProject(call, call.words[0], BuildOptions{.forVirtualController = false, .archive = {}});
     if (checked.status != CannotRead)
         summary(call, checked, QStringLiteral("No errors, %1 warnings.").arg(checked.warnings));

@@ -10,7 +10,7 @@ void noOptions(QCommandLineParser&) {}
 
 constexpr Verb Verbs[] = {
     {"new", "PROJECT", 1, 1, "Makes a project folder.", addNewOptions, runNew},
-    {"check", "PROJECT", 1, 1, "Applies every rule to a project and its programs.", noOptions, runCheck},
+    {"check", "PROJECT|FILE.st", 1, 1, "Applies every rule to a project and its programs, or to one file of Structured Text.", noOptions, runCheck},
     {"build", "PROJECT", 1, 1, "Compiles a project to a controller image.", addBuildOptions, runBuild},
     {"convert", "PROJECT DIR", 2, 2, "Writes a project anew into an empty folder.", addConvertOptions, runConvert},
     {"simulate", "PROJECT", 1, 1, "Runs a project on the virtual controller in virtual time.", addSimulateOptions, runSimulate},

@@ -4,17 +4,58 @@
 #include "core/language/check/checksources.h"
 #include "core/language/imagebuilder.h"
 #include "core/language/lowering/lowerprograms.h"
+#include "core/language/st/lowering/lowerst.h"
+#include "core/language/stprograms.h"
+
+#include <algorithm>
+#include <utility>
 
 namespace camwright {
 
 namespace {
 
-std::vector<ProgramSource> sourcesOf(const ValidProject& project)
+/// The programs of a project by language.
+struct Sources {
+    std::vector<ProgramSource> lists; ///< in the family's instruction list
+    std::vector<ProgramSource> st;
+
+    void add(const ObjectKey& key, ProgramRole role, ProgramLanguage language, std::string_view text)
+    {
+        (language == ProgramLanguage::StructuredText ? st : lists).push_back({key, role, text});
+    }
+};
+
+Sources sourcesOf(const ValidProject& project)
 {
-    std::vector<ProgramSource> sources;
+    Sources out;
     for (const ValidProgram& program : project.programs())
-        sources.push_back({program.key, program.role, program.source});
-    return sources;
+        out.add(program.key, program.role, program.language, program.source);
+    return out;
+}
+
+/// All of them with another text for one.
+Sources sourcesOf(const Project& project, const ObjectKey& key, std::string_view text)
+{
+    Sources out;
+    for (const ObjectPtr& object : project.objects(ObjectKind::Program)) {
+        if (const auto* program = std::get_if<Program>(&object->content))
+            out.add(object->key, program->role, program->language, object->key == key ? text : std::string_view(program->source));
+    }
+    return out;
+}
+
+LoweredPrograms lower(const ValidProject& project, const std::vector<CheckedProgram>& lists, const st::Compilation* compilation, const Job& job)
+{
+    const std::vector<std::string> following = compilation ? st::programRoutines(*compilation) : std::vector<std::string>();
+    LoweredPrograms out = lowerPrograms(project.family(), project.model(), lists, job, following);
+    if (compilation && !job.isCancelled()) {
+        const auto routineByName = [&lists](std::string_view name) {
+            const auto found = std::ranges::find(lists, name, [](const CheckedProgram& program) { return std::string_view(program.key.name); });
+            return static_cast<std::uint32_t>(found - lists.begin());
+        };
+        st::lowerSt(*compilation, &project.family(), routineByName, out);
+    }
+    return out;
 }
 
 void reportNotSimulated(const CheckedProgram& program, Diagnostics& diagnostics)
@@ -50,16 +91,22 @@ CompileResult compile(const ValidProject& project, const BuildOptions& options, 
     }
     if (job.isCancelled())
         return cancelled(std::move(result));
-    CheckedSources checked = checkSources(sourcesOf(project), *context);
+    const Sources sources = sourcesOf(project);
+    CheckedSources checked = checkSources(sources.lists, *context);
     result.diagnostics = std::move(checked.diagnostics);
+    const auto compilation = sources.st.empty() ? nullptr : checkSt(sources.st, sources.lists, *context);
+    if (compilation) {
+        const Diagnostics said = diagnosticsOf(*compilation, *context);
+        result.diagnostics.insert(result.diagnostics.end(), said.begin(), said.end());
+    }
     job.report(0.5);
-    if (!checked.programs)
+    if (!checked.programs || hasErrors(result.diagnostics))
         return result;
     if (options.forVirtualController) {
         for (const CheckedProgram& program : *checked.programs)
             reportNotSimulated(program, result.diagnostics);
     }
-    LoweredPrograms lowered = lowerPrograms(project.family(), project.model(), *checked.programs, job);
+    LoweredPrograms lowered = lower(project, *checked.programs, compilation.get(), job);
     job.report(0.8);
     if (job.isCancelled())
         return cancelled(std::move(result));
@@ -78,6 +125,12 @@ Diagnostics checkProgramText(const Project& project, const ObjectKey& key, std::
     if (!context)
         return {};
     const auto* program = project.content<Program>(key);
+    if (program && program->language == ProgramLanguage::StructuredText) {
+        const Sources sources = sourcesOf(project, key, text);
+        Diagnostics said = diagnosticsOf(*checkSt(sources.st, sources.lists, *context), *context);
+        std::erase_if(said, [&](const Diagnostic& d) { return d.place.object != key; });
+        return said;
+    }
     return checkSource({key, program ? program->role : ProgramRole::Main, text}, *context);
 }
 

@@ -41,14 +41,20 @@ Configuration configurationOf(const ValidProject& project)
     return out;
 }
 
-std::vector<Symbol> symbolsOf(const LanguageContext& context)
+/// The variables of the tables, and those the programs declare. Of two with one name the table's counts.
+std::vector<Symbol> symbolsOf(const LanguageContext& context, std::vector<Symbol> declared)
 {
     std::vector<Symbol> symbols;
     for (const KnownVariable& variable : context.variables) {
         if (variable.address)
             symbols.push_back({variable.name, *variable.address, variable.retain});
     }
+    for (Symbol& symbol : declared) {
+        if (!context.findVariable(symbol.name))
+            symbols.push_back(std::move(symbol));
+    }
     std::ranges::sort(symbols, {}, &Symbol::name);
+    symbols.erase(std::unique(symbols.begin(), symbols.end(), [](const Symbol& a, const Symbol& b) { return a.name == b.name; }), symbols.end());
     return symbols;
 }
 
@@ -95,13 +101,14 @@ ControllerImage buildImage(const ValidProject& project, const LanguageContext& c
 {
     ControllerImage image;
     image.target = {project.family().id(), project.model().name, project.family().catalogue().hash()};
-    image.layout = memoryLayout(project.family(), project.model(), context.variableBytes, lowered.program.routines.size());
+    image.layout = memoryLayout(project.family(), project.model(), std::max(context.variableBytes, lowered.variableBytes), lowered.blocksWithLocals);
     image.layout.initialValues = initialValuesOf(project, context);
+    image.layout.initialValues.insert(image.layout.initialValues.end(), lowered.initialValues.begin(), lowered.initialValues.end());
     image.program = std::move(lowered.program);
     image.debug = std::move(lowered.debug);
     image.debug.projectName = project.name();
     image.configuration = configurationOf(project);
-    image.symbols = symbolsOf(context);
+    image.symbols = symbolsOf(context, std::move(lowered.symbols));
     image.source = options.archive.empty() ? archiveOf(project.project()) : options.archive;
     return image;
 }

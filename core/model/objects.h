@@ -76,7 +76,7 @@ struct Network {
 };
 
 enum class ProgramRole : std::uint8_t { Main, Subroutine, Interrupt };
-enum class ProgramLanguage : std::uint8_t { InstructionList };
+enum class ProgramLanguage : std::uint8_t { InstructionList, StructuredText };
 
 /// A program organisation unit, kept as its source text.
 struct Program {

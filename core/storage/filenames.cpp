@@ -147,6 +147,15 @@ std::string foldedCase(std::string_view name)
     return out;
 }
 
+std::optional<std::string_view> FilePattern::endingOf(std::string_view file) const
+{
+    if (file.ends_with(ending))
+        return ending;
+    if (!otherEnding.empty() && file.ends_with(otherEnding))
+        return otherEnding;
+    return std::nullopt;
+}
+
 FilePattern filePattern(ObjectKind kind)
 {
     switch (kind) {
@@ -154,7 +163,7 @@ FilePattern filePattern(ObjectKind kind)
     case ObjectKind::Controller: return {"", "controller.toml"};
     case ObjectKind::Axis: return {"axes/", ".toml"};
     case ObjectKind::Network: return {"networks/", ".toml"};
-    case ObjectKind::Program: return {"programs/", ".il"};
+    case ObjectKind::Program: return {"programs/", ".il", ".st"};
     case ObjectKind::VariableTable: return {"variables/", ".var"};
     case ObjectKind::WatchTable: return {"watches/", ".toml"};
     }

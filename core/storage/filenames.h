@@ -26,10 +26,15 @@ std::string encodedName(std::string_view name);
 /// ASCII letters in lower case; the comparison that file systems and IEC languages make of names.
 std::string foldedCase(std::string_view name);
 
-/// The folder and ending of a kind's files: {"axes/", ".toml"}. Project and controller have a file without folder.
+/// The folder and ending of a kind's files: {"axes/", ".toml"}. Project and controller have a file without folder. Programs in
+/// Structured Text have an ending of their own.
 struct FilePattern {
     std::string_view folder;
     std::string_view ending;
+    std::string_view otherEnding = {}; ///< empty: none
+
+    /// The ending a file name has of the two; nothing if it has neither.
+    std::optional<std::string_view> endingOf(std::string_view file) const;
 };
 FilePattern filePattern(ObjectKind kind);
 

@@ -61,14 +61,16 @@ std::string fileOf(const ObjectKey& key)
 
 std::string fileOf(const ObjectKey& key, const Project& project)
 {
-    const FilePattern pattern = filePattern(key.kind);
+    FilePattern pattern = filePattern(key.kind);
     if (pattern.folder.empty())
         return std::string(pattern.ending);
+    if (const auto* program = project.content<Program>(key); program && program->language == ProgramLanguage::StructuredText)
+        pattern.ending = pattern.otherEnding;
     for (auto it = project.all().lower_bound(ObjectKey{key.kind, ""}); it != project.all().end() && it->first < key; ++it) {
         if (caseKey(it->first) == caseKey(key)) // the first of them keeps its plain name
             return std::string(pattern.folder) + distinctStemOf(key.name) + std::string(pattern.ending);
     }
-    return fileOf(key);
+    return std::string(pattern.folder) + stemOf(key.name) + std::string(pattern.ending);
 }
 
 Place filePlace(const Place& place, const Project& project, const KnownFiles& files)

@@ -77,8 +77,9 @@ private:
             return;
         }
         for (const DirectoryEntry& entry : *entries) {
-            if (entry.kind == EntryKind::File && entry.name.ends_with(pattern.ending) && !entry.name.starts_with('.'))
-                readNamed(kind, folder + entry.name, entry.name.substr(0, entry.name.size() - pattern.ending.size()));
+            const auto ending = pattern.endingOf(entry.name);
+            if (entry.kind == EntryKind::File && ending && !entry.name.starts_with('.'))
+                readNamed(kind, folder + entry.name, entry.name.substr(0, entry.name.size() - ending->size()));
         }
     }
 
@@ -154,7 +155,7 @@ std::vector<std::string> projectFileNames(FileSystem& files, const std::string& 
         if (!entries)
             continue;
         for (const DirectoryEntry& entry : *entries) {
-            if (entry.kind == EntryKind::File && entry.name.ends_with(pattern.ending) && !entry.name.starts_with('.'))
+            if (entry.kind == EntryKind::File && pattern.endingOf(entry.name) && !entry.name.starts_with('.'))
                 out.push_back(folder + entry.name);
         }
     }

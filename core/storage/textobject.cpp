@@ -16,6 +16,9 @@ namespace {
 constexpr std::string_view ProgramExample = "(* camwright: role=main, order=1 *)";
 constexpr std::string_view TableExample = "(* camwright: order=1 *)";
 
+constexpr std::string_view StLanguage = "st";
+constexpr std::string_view StEnding = ".st";
+
 struct RoleName {
     ProgramRole role;
     std::string_view name;
@@ -33,6 +36,8 @@ std::string settingsOf(const Object& object)
             if (row.role == program->role)
                 values.emplace_back("role", row.name);
         }
+        if (program->language == ProgramLanguage::StructuredText)
+            values.emplace_back("language", StLanguage);
     }
     values.emplace_back("order", std::to_string(object.order));
     values.insert(values.end(), object.unknown.begin(), object.unknown.end());
@@ -126,7 +131,9 @@ Result<Object, Diagnostics> readTextObject(const ObjectKey& key, std::string_vie
         const auto role = readRole(key, file, takeSetting(*line, "role", ""));
         if (!role)
             return role.error();
-        out.content = Program{*role, ProgramLanguage::InstructionList, std::string(rest)};
+        const bool isSt = file.ends_with(StEnding) || takeSetting(*line, "language", "") == StLanguage;
+        line->values.erase("language");
+        out.content = Program{*role, isSt ? ProgramLanguage::StructuredText : ProgramLanguage::InstructionList, std::string(rest)};
     } else {
         auto table = readVariables(rest, 2, file);
         if (!table)

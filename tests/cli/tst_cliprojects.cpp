@@ -97,6 +97,18 @@ private slots:
         QVERIFY2(run.out.contains(QStringLiteral("BN")), qPrintable(run.out));
     }
 
+    void aLooseFileOfStructuredTextIsChecked()
+    {
+        const QString file = copyOf(QStringLiteral("kinco-feeder"), QStringLiteral("loose")) + QStringLiteral("/loose.st");
+        write(file, "FUNCTION f : INT\nf := 1;\nEND_FUNCTION\n");
+        const CliRun good = m_cli.run({"check", file});
+        QVERIFY2(good.status == 0, qPrintable(good.out + good.err));
+        write(file, "FUNCTION f : INT\nf := TRUE;\nEND_FUNCTION\n");
+        const CliRun bad = m_cli.run({"check", file});
+        QCOMPARE(bad.status, 1);
+        QVERIFY2(bad.out.contains(QStringLiteral("loose.st:2:6: error CW8302")), qPrintable(bad.out));
+    }
+
     void jsonIsOneDocument()
     {
         const CliRun run = m_cli.run({"check", "--json", Cli::example("kinco-feeder")});

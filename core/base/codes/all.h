@@ -3,6 +3,7 @@
 #include "core/base/codes/project.h"
 #include "core/base/codes/family.h"
 #include "core/base/codes/language.h"
+#include "core/base/codes/st.h"
 #include "core/base/codes/image.h"
 #include "core/base/codes/runtime.h"
 #include "core/base/codes/fieldbus.h"

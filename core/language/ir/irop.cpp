@@ -69,6 +69,17 @@ constexpr Row Rows[] = {
     {IrOp::StoreElement, "store_element", "abmc"},
     {IrOp::Move, "move", "abc"},
     {IrOp::Now, "now", "d"},
+    {IrOp::Sin, "sin", "da"},
+    {IrOp::Cos, "cos", "da"},
+    {IrOp::Tan, "tan", "da"},
+    {IrOp::Asin, "asin", "da"},
+    {IrOp::Acos, "acos", "da"},
+    {IrOp::Atan, "atan", "da"},
+    {IrOp::Atan2, "atan2", "dab"},
+    {IrOp::Exp, "exp", "da"},
+    {IrOp::Ln, "ln", "da"},
+    {IrOp::Log, "log", "da"},
+    {IrOp::Power, "power", "dab"},
 };
 
 const Row* row(IrOp op)
@@ -200,6 +211,17 @@ bool isAllowed(IrOp op, DataType type, DataType from)
     case IrOp::ShiftRight:
     case IrOp::RotateLeft:
     case IrOp::RotateRight: return isInteger(type);
+    case IrOp::Sin:
+    case IrOp::Cos:
+    case IrOp::Tan:
+    case IrOp::Asin:
+    case IrOp::Acos:
+    case IrOp::Atan:
+    case IrOp::Atan2:
+    case IrOp::Exp:
+    case IrOp::Ln:
+    case IrOp::Log:
+    case IrOp::Power:
     case IrOp::Sqrt: return isFloat(type);
     case IrOp::Convert:
     case IrOp::Truncate:

@@ -71,6 +71,19 @@ enum class IrOp : std::uint8_t {
     StoreElement = 107,///< memory at `address` + index b * `constant` := a
     Move = 108,        ///< `constant` bytes at pointer a := those at pointer b, as if through a copy
     Now = 110,         ///< dest (LINT) := the controller's time in ns at which the scan runs
+    // Floats, by core/base/realmath.h, the same bits on every machine; a REAL is computed as LREAL and rounded. Where a function
+    // has no value the result is NaN, without a fault.
+    Sin = 112,
+    Cos = 113,
+    Tan = 114,
+    Asin = 115,
+    Acos = 116,
+    Atan = 117,
+    Atan2 = 118,       ///< the angle of the point (b, a)
+    Exp = 119,
+    Ln = 120,
+    Log = 121,         ///< base 10
+    Power = 122,       ///< a to the power of b
 };
 
 /// Bound: the lower end of the range and how many numbers it has. Element: stride, and bytes from the new pointer on.

@@ -22,10 +22,15 @@ Time baseOf(const Family& family, TimerKind kind, std::uint32_t number)
 
 } // namespace
 
+IrAddress irAddress(const Family& family, const Address& address)
+{
+    const bool hasBit = address.isBit && !hasByteEach(family, address.area);
+    return {address.area, hasBit ? address.bit : IrAddress::WholeByte, address.byte};
+}
+
 IrAddress ElementTables::place(const Address& address) const
 {
-    const bool hasBit = address.isBit && !hasByteEach(m_family, address.area);
-    return {address.area, hasBit ? address.bit : IrAddress::WholeByte, address.byte};
+    return irAddress(m_family, address);
 }
 
 ElementTables::Element ElementTables::elementAt(const Address& address) const

@@ -9,6 +9,9 @@
 
 namespace camwright {
 
+/// An address as instructions name it: bit-only elements and variables without an address are a byte each (CONTRACTS 8).
+IrAddress irAddress(const Family& family, const Address& address);
+
 /// What the routines of a program share: timers and counters by element, block instances, the hidden state. An element has
 /// one state however many instructions name it.
 class ElementTables {

@@ -11,6 +11,12 @@ IrInstruction IrWriter::make(IrOp op, DataType type) const
     return instruction;
 }
 
+std::size_t IrWriter::emit(const IrInstruction& instruction)
+{
+    m_routine.code.push_back(instruction);
+    return m_routine.code.size() - 1;
+}
+
 IrRegister IrWriter::define(IrInstruction instruction)
 {
     instruction.dest = m_routine.registers++;

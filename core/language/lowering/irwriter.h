@@ -32,9 +32,15 @@ public:
     std::size_t jumpIf(bool sense, IrRegister condition);
     void land(std::size_t jump);
 
-private:
+    /// An instruction with its operation, type and source filled in, for emit() and define().
     IrInstruction make(IrOp op, DataType type) const;
+    /// Appends an instruction without a result; returns its place, for land().
+    std::size_t emit(const IrInstruction& instruction);
+    /// Appends one with a result.
     IrRegister define(IrInstruction instruction);
+    std::size_t size() const { return m_routine.code.size(); }
+
+private:
 
     IrRoutine& m_routine;
     std::uint32_t m_source = 0;

@@ -30,9 +30,10 @@ bool readsStack(const CheckedProgram& program)
 
 class ProgramLinker {
 public:
-    ProgramLinker(const Family& family, const ControllerModel& model, std::span<const CheckedProgram> programs)
-        : m_family(family), m_model(model), m_programs(programs), m_elements(family, m_out.program)
+    ProgramLinker(const Family& family, const ControllerModel& model, std::span<const CheckedProgram> programs, std::span<const std::string> following)
+        : m_family(family), m_model(model), m_programs(programs), m_following(following), m_elements(family, m_out.program)
     {
+        m_out.blocksWithLocals = programs.size();
         for (const CheckedProgram& program : programs) {
             m_out.program.routines.push_back({program.key.name, kindOf(program.role), 0, {}});
             m_out.debug.objects.push_back(program.key);
@@ -55,7 +56,10 @@ private:
     std::uint32_t routineByName(std::string_view name) const
     {
         const auto found = std::ranges::find(m_programs, name, [](const CheckedProgram& program) { return std::string_view(program.key.name); });
-        return static_cast<std::uint32_t>(found - m_programs.begin());
+        const auto number = static_cast<std::uint32_t>(found - m_programs.begin());
+        if (found != m_programs.end())
+            return number;
+        return number + static_cast<std::uint32_t>(std::ranges::find(m_following, name) - m_following.begin());
     }
 
     std::uint32_t source(std::uint32_t object, std::uint32_t network, const TextRange& range)
@@ -67,6 +71,7 @@ private:
     const Family& m_family;
     const ControllerModel& m_model;
     std::span<const CheckedProgram> m_programs;
+    std::span<const std::string> m_following;
     LoweredPrograms m_out;
     bool m_usesStack = false;
     ElementTables m_elements;
@@ -75,9 +80,9 @@ private:
 } // namespace
 
 LoweredPrograms lowerPrograms(const Family& family, const ControllerModel& model, std::span<const CheckedProgram> programs,
-                              const Job& job)
+                              const Job& job, std::span<const std::string> following)
 {
-    ProgramLinker linker(family, model, programs);
+    ProgramLinker linker(family, model, programs, following);
     for (std::uint32_t i = 0; i < programs.size() && !job.isCancelled(); ++i)
         linker.lower(i);
     return linker.take();

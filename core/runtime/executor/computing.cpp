@@ -1,3 +1,4 @@
+#include "core/base/realmath.h"
 #include "core/runtime/executor/access.h"
 #include "core/runtime/executor/handlers.h"
 #include "core/runtime/executor/numbers.h"
@@ -125,6 +126,39 @@ struct SquareRoot {
     }
 };
 
+/// A function of LREAL on a float type; a REAL is rounded once. No handler is asked for other types.
+template <auto Function>
+struct RealFunction {
+    template <class T>
+    struct Of {
+        static const Step* run(Frame& frame, const Step* step)
+        {
+            store(frame, step->dest, canonical(static_cast<T>(Function(static_cast<double>(load<T>(frame, step->a))))));
+            return step + 1;
+        }
+    };
+};
+
+template <auto Function>
+struct RealFunction2 {
+    template <class T>
+    struct Of {
+        static const Step* run(Frame& frame, const Step* step)
+        {
+            const auto a = static_cast<double>(load<T>(frame, step->a));
+            const auto b = static_cast<double>(load<T>(frame, step->b));
+            store(frame, step->dest, canonical(static_cast<T>(Function(a, b))));
+            return step + 1;
+        }
+    };
+};
+
+template <template <class> class Operation>
+Handler forFloat(DataType type)
+{
+    return type == DataType::Real ? Operation<float>::run : type == DataType::Lreal ? Operation<double>::run : nullptr;
+}
+
 template <class From, class Conversion>
 struct To {
     template <class T>
@@ -224,6 +258,17 @@ Handler computingHandler(IrOp op, DataType type, DataType from)
     case IrOp::LessEqual: return forType<Comparison<IsLessEqual>::Of>(type);
     case IrOp::Convert: return FromTo<ConvertRounding>::pick(from, type);
     case IrOp::Truncate: return FromTo<ConvertTruncating>::pick(from, type);
+    case IrOp::Sin: return forFloat<RealFunction<sine>::Of>(type);
+    case IrOp::Cos: return forFloat<RealFunction<cosine>::Of>(type);
+    case IrOp::Tan: return forFloat<RealFunction<tangent>::Of>(type);
+    case IrOp::Asin: return forFloat<RealFunction<arcSine>::Of>(type);
+    case IrOp::Acos: return forFloat<RealFunction<arcCosine>::Of>(type);
+    case IrOp::Atan: return forFloat<RealFunction<arcTangent>::Of>(type);
+    case IrOp::Atan2: return forFloat<RealFunction2<arcTangent2>::Of>(type);
+    case IrOp::Exp: return forFloat<RealFunction<exponential>::Of>(type);
+    case IrOp::Ln: return forFloat<RealFunction<naturalLogarithm>::Of>(type);
+    case IrOp::Log: return forFloat<RealFunction<decimalLogarithm>::Of>(type);
+    case IrOp::Power: return forFloat<RealFunction2<power>::Of>(type);
     case IrOp::Saturate: return FromTo<ConvertSaturating>::pick(from, type);
     default: return nullptr;
     }

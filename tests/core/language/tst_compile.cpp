@@ -2,6 +2,8 @@
 #include "core/language/compile.h"
 #include "core/language/image/container.h"
 #include "core/runtime/executor/executor.h"
+#include "core/language/stprograms.h"
+#include "core/storage/objecttext.h"
 #include "core/storage/projectstore.h"
 
 #include <gtest/gtest.h>
@@ -207,6 +209,108 @@ TEST_F(CompileTest, typedTextIsCheckedAgainstTheRestOfTheProject)
     ASSERT_FALSE(wrong.empty());
     EXPECT_EQ(wrong[0].place.range.line, 2u);
     EXPECT_TRUE(checkProgramText(Project(), key, Source).empty()) << "no family: nothing to check against";
+}
+
+class CompileStTest : public CompileTest {
+protected:
+    void st(const std::string& name, ProgramRole role, const std::string& source)
+    {
+        put({ObjectKind::Program, name}, Program{role, ProgramLanguage::StructuredText, source});
+    }
+    void variables()
+    {
+        put({ObjectKind::VariableTable, "Globals"}, VariableTable::of({Variable{"Speed", DataType::Int, "%VW20", "", false, ""}, Variable{"Lamp", DataType::Bool, "%Q0.1", "", false, ""}}));
+    }
+    ScanExecutor run()
+    {
+        const CompileResult result = compiled();
+        EXPECT_TRUE(result.image) << text(result.diagnostics);
+        auto executor = ScanExecutor::load(std::make_shared<const ControllerImage>(readImage(write(result.image.value())).value()));
+        return std::move(executor.value());
+    }
+    static std::int64_t symbol(const ScanExecutor& executor, std::string_view name)
+    {
+        const Symbol* found = findSymbol(executor.image(), name);
+        return found ? executor.memory().read(found->address).asInteger() : -1;
+    }
+};
+
+TEST_F(CompileStTest, structuredTextAndInstructionListWorkOnTheSameVariables)
+{
+    variables();
+    st("Main", ProgramRole::Main, "PROGRAM Main\nVAR count : INT := 5; wide AT %VW20 : INT; bit AT %IX0.0 : BOOL; END_VAR\ncount := count + 1; Speed := count * 2; Increment(); Lamp := bit OR wide > 10; END_PROGRAM\n");
+    program("Increment", ProgramRole::Subroutine, "(* Network 0 *)\nLDN %M9.0\nADD %VW20,1,%VW20\n");
+    ScanExecutor executor = run();
+    executor.scan({});
+    EXPECT_EQ(symbol(executor, "Main.count"), 6);
+    EXPECT_EQ(symbol(executor, "Speed"), 13) << "Increment ran behind the assignment";
+    EXPECT_EQ(symbol(executor, "Lamp"), 1);
+}
+
+TEST_F(CompileStTest, instructionListCallsAProgramInStructuredText)
+{
+    program("Main", ProgramRole::Main, "(* Network 0 *)\nLD %SM0.0\nCAL Blocks\n");
+    st("Blocks", ProgramRole::Subroutine, "FUNCTION_BLOCK Counter VAR_OUTPUT n : DINT; END_VAR n := n + 1; END_FUNCTION_BLOCK\nPROGRAM Anything VAR c : Counter; n : DINT; END_VAR c(n => n); END_PROGRAM\n");
+    ScanExecutor executor = run();
+    executor.memory().write(bitAddress(5, 0), Value::ofBool(true));
+    const Symbol* found = findSymbol(executor.image(), "Anything.n");
+    ASSERT_NE(found, nullptr);
+    EXPECT_EQ(executor.image().program.routines[0].name, "Main");
+    EXPECT_EQ(executor.image().program.routines[1].name, "Blocks");
+}
+
+TEST_F(CompileStTest, textsShareTheirDeclarations)
+{
+    st("Main", ProgramRole::Main, "PROGRAM Main VAR m : Motor; r : DINT; END_VAR m(speed := Fast); r := m.steps; END_PROGRAM");
+    st("Library", ProgramRole::Subroutine, "TYPE Speed : (Slow := 1, Fast := 10); END_TYPE FUNCTION_BLOCK Motor VAR_INPUT speed : Speed; END_VAR VAR_OUTPUT steps : DINT; END_VAR\nIF speed = Speed#Fast THEN steps := steps + 10; END_IF; END_FUNCTION_BLOCK");
+    ScanExecutor executor = run();
+    executor.scan({});
+    executor.scan({});
+    EXPECT_EQ(symbol(executor, "Main.r"), 20);
+}
+
+TEST_F(CompileStTest, theRealFamilyIsSaidToHaveNone)
+{
+    st("Main", ProgramRole::Main, "PROGRAM Main END_PROGRAM");
+    const CompileResult result = compiled();
+    ASSERT_TRUE(result.image) << text(result.diagnostics);
+    ASSERT_EQ(result.diagnostics.size(), 1u) << text(result.diagnostics);
+    EXPECT_EQ(result.diagnostics[0].code, Code::StOnlyVirtual);
+}
+
+TEST_F(CompileStTest, anErrorIsAtItsPlaceInItsTextWhileSomebodyTypes)
+{
+    st("Main", ProgramRole::Main, "PROGRAM Main END_PROGRAM");
+    st("Other", ProgramRole::Subroutine, "PROGRAM Broken x := 1; END_PROGRAM");
+    const Diagnostics found = checkProgramText(m_project, {ObjectKind::Program, "Main"}, "PROGRAM Main\nVAR x : INT; END_VAR\nx := 1\nEND_PROGRAM");
+    ASSERT_EQ(found.size(), 2u) << text(found);
+    EXPECT_EQ(found[0].code, Code::StMissing);
+    EXPECT_EQ(found[0].place.range.line, 3u);
+    EXPECT_EQ(found[0].place.object.name, "Main");
+    EXPECT_FALSE(compiled().image);
+}
+
+TEST_F(CompileStTest, aProjectKeepsItInAFileOfItsOwnEnding)
+{
+    st("Main", ProgramRole::Main, "PROGRAM Main END_PROGRAM\n");
+    const ObjectKey key{ObjectKind::Program, "Main"};
+    EXPECT_EQ(fileOf(key, m_project), "programs/Main.st");
+    const std::string written = toText(*m_project.find(key));
+    EXPECT_TRUE(written.starts_with("(* camwright: role=main, language=st, order=")) << written;
+    const auto read = fromText(key, written);
+    ASSERT_TRUE(read.ok());
+    EXPECT_EQ(*read, *m_project.find(key));
+    const auto byEnding = fromText(key, "(* camwright: role=main, order=1 *)\nPROGRAM Main END_PROGRAM\n", "programs/Main.st");
+    ASSERT_TRUE(byEnding.ok());
+    EXPECT_EQ(std::get<Program>(byEnding->content).language, ProgramLanguage::StructuredText);
+}
+
+TEST(LooseStTest, aFileOutsideAProjectIsCheckedWithAnyAddress)
+{
+    EXPECT_TRUE(checkLooseSt("VAR_GLOBAL a AT %QX7.7 : BOOL; END_VAR\nFUNCTION f : INT f := 1; END_FUNCTION", "f.st").empty());
+    const Diagnostics found = checkLooseSt("FUNCTION f : INT\nf := TRUE;\nEND_FUNCTION", "dir/f.st");
+    ASSERT_EQ(found.size(), 1u);
+    EXPECT_EQ(englishLine(found[0]).substr(0, 26), "dir/f.st:2:6: error CW8302");
 }
 
 } // namespace
