@@ -174,7 +174,9 @@ public:
 
     static Scan compile(const ControllerImage& image, const Memory& memory, bool oneNaN)
     {
-        const std::filesystem::path folder = std::filesystem::temp_directory_path() / ("camwright-bench-" + std::to_string(::getpid()));
+        static unsigned number = 0; // a library of a name that was loaded before would not be loaded again
+        const std::filesystem::path folder
+            = std::filesystem::temp_directory_path() / ("camwright-bench-" + std::to_string(::getpid()) + "-" + std::to_string(number++));
         std::filesystem::create_directories(folder);
         const std::string source = (folder / "scan.c").string();
         const std::string library = (folder / "scan.so").string();
