@@ -195,7 +195,12 @@ void Checker::resolveResult(PouInfo& pou)
 
 void Checker::resolveMethods(PouInfo& pou)
 {
+    const bool mayHave = pou.tree->kind == PouKind::FunctionBlock || pou.tree->kind == PouKind::Interface;
     for (Pou& tree : pou.tree->methods) {
+        if (!mayHave) {
+            report(Code::StNotHere, tree.offset, tree.end, {"METHOD"});
+            continue;
+        }
         if (std::ranges::any_of(pou.methods, [&](const PouInfo* m) { return m->tree->name == tree.name; })) {
             report(Code::StDeclaredTwice, tree.offset, tree.end, {text(tree.name)});
             continue;
