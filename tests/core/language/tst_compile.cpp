@@ -94,6 +94,30 @@ TEST_F(CompileTest, makesAnImageThatReadsBackAndRuns)
     EXPECT_EQ(executor.memory().read(valueAddress(3, 2, DataType::Int)).asInteger(), 1);
 }
 
+TEST_F(CompileTest, aKoyoProjectIsBuiltAndSaysThatItsBoxesAreNotSimulated) // D2-IB-21
+{
+    ControllerSettings settings;
+    settings.family = "koyo";
+    settings.model = "DL-265";
+    put(controllerKey(), settings);
+    program("Main", ProgramRole::Main, "STR X0\nTMR T0 K5\nSTR X0\nGTS K1\nSTRN B10003.1\nAND M1002\nIB-2021 R5000 R5001 R5040 M100 M101 R5002 R5003\n");
+    program("Count", ProgramRole::Subroutine, "SBR K1\nLD K1999\nADD K1\nOUT V1400\nRT\n");
+    BuildOptions options;
+    options.forVirtualController = true;
+    const CompileResult result = compiled(options);
+    ASSERT_TRUE(result.image) << text(result.diagnostics);
+    ASSERT_EQ(result.diagnostics.size(), 1u) << text(result.diagnostics);
+    EXPECT_EQ(result.diagnostics.front().code, Code::BlockNotSimulated);
+    EXPECT_EQ(result.diagnostics.front().place.range.line, 7u);
+    const Result<ControllerImage> read = readImage(write(*result.image));
+    ASSERT_TRUE(read.ok()) << englishText(read.error());
+    EXPECT_EQ(*read, *result.image);
+    ScanExecutor executor = ScanExecutor::load(std::make_shared<const ControllerImage>(*read)).value();
+    executor.memory().write(bitAddress(0, 0), Value::ofBool(true)); // X0
+    executor.scan({});
+    EXPECT_EQ(executor.memory().read(valueAddress(9, 01400 * 2, DataType::Word)).asInteger(), 0x2000); // V1400
+}
+
 TEST_F(CompileTest, theSameProjectGivesTheSameBytes)
 {
     axis("Feed", 1);
