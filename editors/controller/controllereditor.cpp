@@ -231,8 +231,9 @@ void ControllerEditor::refreshLimits(const ControllerSettings& settings)
         const int row = m_limits->rowCount();
         m_limits->insertRow(row);
         m_limits->setItem(row, 0, new QTableWidgetItem(tr("Memory %1").arg(QString::fromStdString(area.name))));
-        auto* size = new QTableWidgetItem(area.elementBytes > 1 || area.kind == AreaKind::Bits
-            ? tr("%1 elements").arg(layout.bytes / area.elementBytes) : tr("%1 bytes").arg(layout.bytes));
+        const unsigned elements = area.isPacked() ? layout.bytes * 8 : layout.bytes / area.elementBytes;
+        auto* size = new QTableWidgetItem(area.elementBytes > 1 || area.kind == AreaKind::Bits || area.isPacked()
+            ? tr("%1 elements").arg(elements) : tr("%1 bytes").arg(layout.bytes));
         size->setFont(theme().monoFont());
         m_limits->setItem(row, 1, size);
     }
