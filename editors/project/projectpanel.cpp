@@ -1,5 +1,6 @@
 #include "editors/project/projectpanel.h"
 
+#include "core/family/family.h"
 #include "editors/document/editcommands.h"
 #include "editors/project/projecttreedelegate.h"
 #include "editors/shell/context.h"
@@ -237,6 +238,19 @@ void ProjectPanel::perform(const QString& actionId)
         rename();
 }
 
+namespace {
+
+/// Axes and their networks are for families that have them in this version: not for the Koyo DL205, whose axes hang on
+/// MECHATROLINK.
+bool isOffered(const Project& project, ObjectKind kind)
+{
+    const Family* family = findFamily(project.controller().family);
+    const bool isAxis = kind == ObjectKind::Axis || kind == ObjectKind::Network;
+    return !(isAxis && family && family->id() == "koyo");
+}
+
+} // namespace
+
 void ProjectPanel::fillMenu(QMenu& menu, const ObjectKey& key)
 {
     const bool object = !key.name.empty() || key.kind == ObjectKind::Controller;
@@ -250,7 +264,7 @@ void ProjectPanel::fillMenu(QMenu& menu, const ObjectKey& key)
         menu.addSeparator();
     }
     const auto addKind = [&](ObjectKind kind) {
-        if (!addText(kind).isEmpty())
+        if (!addText(kind).isEmpty() && isOffered(context().document().project(), kind))
             menu.addAction(icon(QStringLiteral("plus")), addText(kind), this, [this, kind] { add(kind); });
     };
     if (key.kind == ObjectKind::Controller) {
@@ -279,7 +293,8 @@ bool ProjectPanel::eventFilter(QObject* watched, QEvent* event)
         QMenu menu(this);
         menu.setObjectName(QStringLiteral("projectMenu"));
         fillMenu(menu, index.isValid() ? ProjectTreeModel::keyOf(index) : ObjectKey{ObjectKind::Controller, {}});
-        menu.exec(menuEvent->globalPos());
+        if (!menu.isEmpty())
+            menu.exec(menuEvent->globalPos());
         return true;
     }
     if (event->type() == QEvent::KeyPress && watched == m_tree) {

@@ -158,14 +158,17 @@ TypeSet KoyoAddressSyntax::types(const MemoryArea& area, const Address& address)
     return {Word, Uint, Int, Dword, Udint, Dint, Real};
 }
 
-/// V1000 is no part of the area V: what begins before it ends there.
+/// V1000 is no part of the area V: what begins before it ends there, and nothing begins in the stretch itself.
 std::uint32_t KoyoAddressSyntax::endOf(const Address& address, std::uint32_t areaBytes) const
 {
     std::uint32_t end = areaBytes;
     if (address.area == koyo::V)
-        for (const koyo::Window& window : koyo::Windows)
+        for (const koyo::Window& window : koyo::Windows) {
             if (window.first * 2 > address.byte)
                 end = std::min(end, window.first * 2);
+            else if (address.byte < (window.first + window.words) * 2)
+                return 0;
+        }
     return address.area == koyo::Accumulator ? std::min(end, koyo::LoadedByte) : end;
 }
 

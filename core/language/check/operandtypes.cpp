@@ -30,8 +30,10 @@ public:
                 continue;
             for (unsigned i = FirstType; i <= LastType; ++i) {
                 const auto type = static_cast<DataType>(i);
-                const Address first = type == DataType::Bool ? bitAddress(area.id, 0) : valueAddress(area.id, 0, type);
-                m_types[{area.id, type}] = askedTypes(family, family.defaultModel(), first);
+                m_types[{area.id, type}] = typesAt(family, area.id, type, 0);
+                const std::uint32_t bytes = family.defaultModel().area(area.id).bytes;
+                if (m_types[{area.id, type}].isEmpty() && bytes >= WidestForm) // the first words of Koyo's V belong to the timers
+                    m_types[{area.id, type}] = typesAt(family, area.id, type, bytes - WidestForm);
             }
         }
     }
@@ -43,6 +45,13 @@ public:
     }
 
 private:
+    static constexpr std::uint32_t WidestForm = 4;
+
+    static TypeSet typesAt(const Family& family, AreaId area, DataType type, std::uint32_t byte)
+    {
+        return askedTypes(family, family.defaultModel(), type == DataType::Bool ? bitAddress(area, byte) : valueAddress(area, byte, type));
+    }
+
     std::map<std::pair<AreaId, DataType>, TypeSet> m_types;
 };
 

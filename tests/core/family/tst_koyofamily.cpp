@@ -85,6 +85,9 @@ TEST(KoyoFamilyTest, valuesOfTwoWordsEndWhereTheNextElementsBegin)
     EXPECT_TRUE(takesTwo("V37776"));
     EXPECT_FALSE(takesTwo("V37777"));
     EXPECT_FALSE(takesTwo("V40477"));
+    EXPECT_FALSE(family.withType(valueAddress(koyo::V, 0, Word), Word, family.defaultModel()).ok()) << "V0 is a place of the timers";
+    EXPECT_FALSE(family.withType(valueAddress(koyo::V, 01377 * 2, Word), Word, family.defaultModel()).ok());
+    EXPECT_TRUE(family.withType(valueAddress(koyo::V, 0400 * 2, Word), Word, family.defaultModel()).ok());
 }
 
 TEST(KoyoFamilyTest, modelsAndErrorsAreThoseOfTheSheet) // D2-SYS-01, D2-SYS-04, D2-ERR-01 … 03
