@@ -69,6 +69,17 @@ const RoutineTranslator::Row RoutineTranslator::Rows[] = {
     {IrOp::StoreElement, &RoutineTranslator::storeElement},
     {IrOp::Move, &RoutineTranslator::move},
     {IrOp::Now, &RoutineTranslator::now},
+    {IrOp::Sin, &RoutineTranslator::interpreted},
+    {IrOp::Cos, &RoutineTranslator::interpreted},
+    {IrOp::Tan, &RoutineTranslator::interpreted},
+    {IrOp::Asin, &RoutineTranslator::interpreted},
+    {IrOp::Acos, &RoutineTranslator::interpreted},
+    {IrOp::Atan, &RoutineTranslator::interpreted},
+    {IrOp::Atan2, &RoutineTranslator::interpreted},
+    {IrOp::Exp, &RoutineTranslator::interpreted},
+    {IrOp::Ln, &RoutineTranslator::interpreted},
+    {IrOp::Log, &RoutineTranslator::interpreted},
+    {IrOp::Power, &RoutineTranslator::interpreted},
 };
 
 RoutineTranslator::Emit RoutineTranslator::emitterOf(IrOp op)

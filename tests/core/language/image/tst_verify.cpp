@@ -115,7 +115,7 @@ TEST(VerifyTest, tablesPointInside)
     };
     EXPECT_TRUE(broken([](auto& i) { i.program.timers[0].baseNs = 0; }));
     EXPECT_TRUE(broken([](auto& i) { i.program.timers[1].state = 41; }));
-    EXPECT_TRUE(broken([](auto& i) { i.program.timers[0].kind = static_cast<TimerKind>(9); }));
+    EXPECT_TRUE(broken([](auto& i) { i.program.timers[0].kind = static_cast<TimerKind>(255); }));
     EXPECT_TRUE(broken([](auto& i) { i.program.counters[1].value.byte = 1021; }));
     EXPECT_TRUE(broken([](auto& i) { i.program.blocks[0].pins[0].address.byte = 5000; }));
     EXPECT_TRUE(broken([](auto& i) { i.program.blocks[0].pins[1].constant = 0x10000; }));

@@ -333,8 +333,10 @@ private:
 
     void compute(DataType type)
     {
-        constexpr IrOp Unary[] = {IrOp::Neg, IrOp::Abs, IrOp::Not, IrOp::Sqrt};
-        constexpr IrOp Binary[] = {IrOp::Add, IrOp::Sub, IrOp::Mul, IrOp::Div, IrOp::Mod, IrOp::Min, IrOp::Max, IrOp::And, IrOp::Or, IrOp::Xor};
+        constexpr IrOp Unary[] = {IrOp::Neg, IrOp::Abs, IrOp::Not, IrOp::Sqrt, IrOp::Sin, IrOp::Cos, IrOp::Tan, IrOp::Asin, IrOp::Acos,
+            IrOp::Atan, IrOp::Exp, IrOp::Ln, IrOp::Log};
+        constexpr IrOp Binary[] = {IrOp::Add, IrOp::Sub, IrOp::Mul, IrOp::Div, IrOp::Mod, IrOp::Min, IrOp::Max, IrOp::And, IrOp::Or, IrOp::Xor,
+            IrOp::Atan2, IrOp::Power};
         const bool isUnary = m_random.next(4) == 0;
         const IrOp op = isUnary ? m_random.pick(Unary) : m_random.pick(Binary);
         if (!isAllowed(op, type, type))
