@@ -1138,6 +1138,10 @@
         <translation>«%1» становится сохраняемым значением.</translation>
     </message>
     <message>
+        <source>&quot;%1&quot; cannot be a subscript. A subscript is a number, an INT or DINT variable, or an element of an array with a number.</source>
+        <translation>«%1» не может быть индексом. Индекс — число, переменная INT или DINT или элемент массива с числом.</translation>
+    </message>
+    <message>
         <source>&quot;%1&quot; cannot be used as %2. It can be %3.</source>
         <translation>«%1» нельзя использовать как %2. Можно как %3.</translation>
     </message>
@@ -1148,6 +1152,10 @@
     <message>
         <source>&quot;%1&quot; cannot be written: %2. The old program is untouched.</source>
         <translation>«%1» не удаётся записать: %2. Старая программа не тронута.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; does not declare a parameter. Write it like %2.</source>
+        <translation>«%1» не объявляет параметр. Запишите так: %2.</translation>
     </message>
     <message>
         <source>&quot;%1&quot; has a foreign word inside an address. Write %2.</source>
@@ -1244,6 +1252,10 @@
     <message>
         <source>&quot;%1&quot; is not an address.</source>
         <translation>«%1» не адрес.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not an event that starts an interrupt routine. Write it like %2.</source>
+        <translation>«%1» — не событие, запускающее подпрограмму прерывания. Запишите так: %2.</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is not an instruction and not a comment. Remove it, or write it as (* %1 *).</source>
@@ -1458,6 +1470,10 @@
         <translation>%1 — слово языка и не может быть именем. Выберите другое имя.</translation>
     </message>
     <message>
+        <source>%1 is an array. Write which element is meant, like %1[0].</source>
+        <translation>%1 — массив. Напишите, какой элемент нужен, например %1[0].</translation>
+    </message>
+    <message>
         <source>%1 is an extension of Camwright and strict Kinco is set. Write the group to a marker bit in a network of its own, and use the bit here.</source>
         <translation>%1 — расширение Camwright, а включён строгий режим Kinco. Запишите группу в бит-маркер в отдельной сети и используйте здесь этот бит.</translation>
     </message>
@@ -1508,6 +1524,10 @@
     <message>
         <source>%1 is not an address of this machine itself. Until users and encryption exist the runtime listens on 127.0.0.1 or ::1 only.</source>
         <translation>%1 — не адрес самой этой машины. Пока нет пользователей и шифрования, среда выполнения слушает только 127.0.0.1 или ::1.</translation>
+    </message>
+    <message>
+        <source>%1 is not an interrupt routine. Change its role to interrupt, or correct the name.</source>
+        <translation>%1 — не подпрограмма прерывания. Измените её роль на «прерывание» или исправьте имя.</translation>
     </message>
     <message>
         <source>%1 is not closed. Write %2 where it ends.</source>
@@ -1598,6 +1618,10 @@
         <translation>%1 принимает аргументов: %2, здесь их %3.</translation>
     </message>
     <message>
+        <source>%1 takes %2 arguments, here are %3. They are %4.</source>
+        <translation>%1 принимает аргументов: %2, здесь их %3. Это: %4.</translation>
+    </message>
+    <message>
         <source>%1 takes %2 flows, and fewer are open here. Begin each of them with STR.</source>
         <translation>%1 берёт потоков: %2, здесь открыто меньше. Начните каждый из них с STR.</translation>
     </message>
@@ -1666,6 +1690,10 @@
         <translation>У настоящего %1 нет структурированного текста. Программа работает только на виртуальном контроллере.</translation>
     </message>
     <message>
+        <source>A subroutine has at most %1 parameters and local variables of this kind; %2 is one too many.</source>
+        <translation>У подпрограммы не больше %1 параметров и местных переменных этого вида; %2 уже лишняя.</translation>
+    </message>
+    <message>
         <source>A trace needs at least one channel and at most %1.</source>
         <translation>Для записи нужен хотя бы один канал, самое большее: %1.</translation>
     </message>
@@ -1680,6 +1708,10 @@
     <message>
         <source>An axis has no value &quot;%1&quot;. It has position, setPosition, velocity, followingError, torque, state and error.</source>
         <translation>У оси нет значения «%1». Есть position, setPosition, velocity, followingError, torque, state и error.</translation>
+    </message>
+    <message>
+        <source>An interrupt routine of a %1 cannot call %2. Write its instructions here.</source>
+        <translation>Подпрограмма прерывания %1 не может вызвать %2. Запишите её команды здесь.</translation>
     </message>
     <message>
         <source>An operand is missing beside the comma. Write it, or ??? to fill it in later.</source>
@@ -1802,6 +1834,10 @@
         <translation>Вложенность ветвей здесь больше %1. Разделите цепь битом-маркером.</translation>
     </message>
     <message>
+        <source>Calls nest %1 deep here: %2. A %3 takes %4.</source>
+        <translation>Глубина вызовов здесь %1: %2. %3 допускает %4.</translation>
+    </message>
+    <message>
         <source>Camwright made a mistake: %1. Save your work under another name and report this text.</source>
         <translation>В Camwright произошла внутренняя ошибка: %1. Сохраните работу под другим именем и сообщите этот текст.</translation>
     </message>
@@ -1840,6 +1876,10 @@
     <message>
         <source>Nobody answers at %1: %2.</source>
         <translation>По адресу %1 никто не отвечает: %2.</translation>
+    </message>
+    <message>
+        <source>Nothing starts the interrupt routine %1. Give it an event, or remove it.</source>
+        <translation>Подпрограмму прерывания %1 ничто не запускает. Задайте ей событие или удалите её.</translation>
     </message>
     <message>
         <source>Operands of %1 are separated by blanks. Remove the comma.</source>
@@ -2014,6 +2054,10 @@
         <translation>Часть «%1» образа построена неверно. Соберите проект заново этой версией.</translation>
     </message>
     <message>
+        <source>The label %1 stands at two places. Give one of them another name.</source>
+        <translation>Метка %1 стоит в двух местах. Дайте одной из них другое имя.</translation>
+    </message>
+    <message>
         <source>The last save was interrupted; it has now been finished.</source>
         <translation>Последнее сохранение было прервано; теперь оно завершено.</translation>
     </message>
@@ -2072,6 +2116,10 @@
     <message>
         <source>The operand %2 of %3 is a timer, %1 is not. Write it like T0.</source>
         <translation>Операнд %2 инструкции %3 — таймер, а %1 — нет. Пишите так: T0.</translation>
+    </message>
+    <message>
+        <source>The operand %2 of %3 takes no variable subscript: %1. Copy the element to a variable first, or write its number.</source>
+        <translation>Операнд %2 команды %3 не допускает переменный индекс: %1. Сначала скопируйте элемент в переменную или напишите его номер.</translation>
     </message>
     <message>
         <source>The operands %1 and %2 of %3 share %4. Give each of them registers of its own.</source>
@@ -2266,6 +2314,10 @@
         <translation>Сторожевой таймер %1 мс не больше периода сканирования %2 мс, и он сработает в каждом цикле.</translation>
     </message>
     <message>
+        <source>There are %1 subroutines, a %2 takes %3.</source>
+        <translation>Подпрограмм %1, %2 допускает %3.</translation>
+    </message>
+    <message>
         <source>There are more subscripts here than the array has.</source>
         <translation>Индексов здесь больше, чем у массива.</translation>
     </message>
@@ -2314,8 +2366,16 @@
         <translation>Загрузки с номером %1 нет, или она закончилась.</translation>
     </message>
     <message>
+        <source>There is no element %1 in %2. Its elements are 0 to %3.</source>
+        <translation>В %2 нет элемента %1. Его элементы: от 0 до %3.</translation>
+    </message>
+    <message>
         <source>There is no group that this ) could close. Remove it, or open one with AND( or OR(.</source>
         <translation>Эта ) ничего не закрывает. Удалите её или откройте группу с AND( или OR(.</translation>
+    </message>
+    <message>
+        <source>There is no label %1 in this program. Write LBL %1 where the jump goes to.</source>
+        <translation>В этой программе нет метки %1. Напишите LBL %1 там, куда ведёт переход.</translation>
     </message>
     <message>
         <source>There is no motion network for the controller %1. Choose another model, or remove axes and network.</source>

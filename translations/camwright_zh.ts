@@ -1136,6 +1136,10 @@
         <translation>“%1”变为断电保持值。</translation>
     </message>
     <message>
+        <source>&quot;%1&quot; cannot be a subscript. A subscript is a number, an INT or DINT variable, or an element of an array with a number.</source>
+        <translation>“%1”不能作下标。下标是数字、INT 或 DINT 变量，或带数字下标的数组元素。</translation>
+    </message>
+    <message>
         <source>&quot;%1&quot; cannot be used as %2. It can be %3.</source>
         <translation>“%1”不能用作 %2。可用作：%3。</translation>
     </message>
@@ -1146,6 +1150,10 @@
     <message>
         <source>&quot;%1&quot; cannot be written: %2. The old program is untouched.</source>
         <translation>无法写入“%1”：%2。旧程序未受影响。</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; does not declare a parameter. Write it like %2.</source>
+        <translation>“%1”不是参数声明。请写成 %2 的形式。</translation>
     </message>
     <message>
         <source>&quot;%1&quot; has a foreign word inside an address. Write %2.</source>
@@ -1242,6 +1250,10 @@
     <message>
         <source>&quot;%1&quot; is not an address.</source>
         <translation>“%1”不是地址。</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not an event that starts an interrupt routine. Write it like %2.</source>
+        <translation>“%1”不是可以启动中断程序的事件。请写成 %2 的形式。</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is not an instruction and not a comment. Remove it, or write it as (* %1 *).</source>
@@ -1456,6 +1468,10 @@
         <translation>%1 是语言的保留字，不能作名称。请换一个名称。</translation>
     </message>
     <message>
+        <source>%1 is an array. Write which element is meant, like %1[0].</source>
+        <translation>%1 是数组。请写明是哪个元素，如 %1[0]。</translation>
+    </message>
+    <message>
         <source>%1 is an extension of Camwright and strict Kinco is set. Write the group to a marker bit in a network of its own, and use the bit here.</source>
         <translation>%1 是 Camwright 的扩展，而已设为严格 Kinco。在单独的网络中将该组写入标志位，并在此使用该位。</translation>
     </message>
@@ -1506,6 +1522,10 @@
     <message>
         <source>%1 is not an address of this machine itself. Until users and encryption exist the runtime listens on 127.0.0.1 or ::1 only.</source>
         <translation>%1 不是本机自身的地址。在具备用户和加密功能之前，运行时只在 127.0.0.1 或 ::1 上侦听。</translation>
+    </message>
+    <message>
+        <source>%1 is not an interrupt routine. Change its role to interrupt, or correct the name.</source>
+        <translation>%1 不是中断程序。请将其角色改为中断，或更正名称。</translation>
     </message>
     <message>
         <source>%1 is not closed. Write %2 where it ends.</source>
@@ -1596,6 +1616,10 @@
         <translation>%1 需要 %2 个参数，这里有 %3 个。</translation>
     </message>
     <message>
+        <source>%1 takes %2 arguments, here are %3. They are %4.</source>
+        <translation>%1 需要 %2 个参数，此处为 %3 个。参数为：%4。</translation>
+    </message>
+    <message>
         <source>%1 takes %2 flows, and fewer are open here. Begin each of them with STR.</source>
         <translation>%1 需要 %2 个能流，此处不足。每个能流都以 STR 开始。</translation>
     </message>
@@ -1664,6 +1688,10 @@
         <translation>真实的 %1 没有结构化文本。此程序只在虚拟控制器上运行。</translation>
     </message>
     <message>
+        <source>A subroutine has at most %1 parameters and local variables of this kind; %2 is one too many.</source>
+        <translation>一个子程序最多有 %1 个此类参数和局部变量；%2 已超出。</translation>
+    </message>
+    <message>
         <source>A trace needs at least one channel and at most %1.</source>
         <translation>跟踪至少需要一个通道，最多 %1 个。</translation>
     </message>
@@ -1678,6 +1706,10 @@
     <message>
         <source>An axis has no value &quot;%1&quot;. It has position, setPosition, velocity, followingError, torque, state and error.</source>
         <translation>轴没有值“%1”。可用：position、setPosition、velocity、followingError、torque、state 和 error。</translation>
+    </message>
+    <message>
+        <source>An interrupt routine of a %1 cannot call %2. Write its instructions here.</source>
+        <translation>%1 的中断程序不能调用 %2。请将其指令写在此处。</translation>
     </message>
     <message>
         <source>An operand is missing beside the comma. Write it, or ??? to fill it in later.</source>
@@ -1800,6 +1832,10 @@
         <translation>此处分支嵌套超过 %1 层。用标志位拆分梯级。</translation>
     </message>
     <message>
+        <source>Calls nest %1 deep here: %2. A %3 takes %4.</source>
+        <translation>此处调用嵌套 %1 层：%2。%3 最多允许 %4 层。</translation>
+    </message>
+    <message>
         <source>Camwright made a mistake: %1. Save your work under another name and report this text.</source>
         <translation>Camwright 出现内部错误：%1。请用另一个名称保存工作，并报告这段文字。</translation>
     </message>
@@ -1838,6 +1874,10 @@
     <message>
         <source>Nobody answers at %1: %2.</source>
         <translation>%1 无人应答：%2。</translation>
+    </message>
+    <message>
+        <source>Nothing starts the interrupt routine %1. Give it an event, or remove it.</source>
+        <translation>没有任何事件启动中断程序 %1。请为其指定事件，或将其删除。</translation>
     </message>
     <message>
         <source>Operands of %1 are separated by blanks. Remove the comma.</source>
@@ -2012,6 +2052,10 @@
         <translation>映像的“%1”部分格式错误。用本版本重新编译工程。</translation>
     </message>
     <message>
+        <source>The label %1 stands at two places. Give one of them another name.</source>
+        <translation>标号 %1 出现在两处。请将其中一个改名。</translation>
+    </message>
+    <message>
         <source>The last save was interrupted; it has now been finished.</source>
         <translation>上次保存曾被中断，现已完成。</translation>
     </message>
@@ -2070,6 +2114,10 @@
     <message>
         <source>The operand %2 of %3 is a timer, %1 is not. Write it like T0.</source>
         <translation>%3 的操作数 %2 须为定时器，而 %1 不是。写法示例：T0。</translation>
+    </message>
+    <message>
+        <source>The operand %2 of %3 takes no variable subscript: %1. Copy the element to a variable first, or write its number.</source>
+        <translation>%3 的操作数 %2 不允许变量下标：%1。请先将该元素复制到变量，或写明其编号。</translation>
     </message>
     <message>
         <source>The operands %1 and %2 of %3 share %4. Give each of them registers of its own.</source>
@@ -2264,6 +2312,10 @@
         <translation>看门狗 %1 ms 不大于扫描周期 %2 ms，因此每次扫描都会触发它。</translation>
     </message>
     <message>
+        <source>There are %1 subroutines, a %2 takes %3.</source>
+        <translation>有 %1 个子程序，%2 最多允许 %3 个。</translation>
+    </message>
+    <message>
         <source>There are more subscripts here than the array has.</source>
         <translation>这里的下标比数组的维数多。</translation>
     </message>
@@ -2312,8 +2364,16 @@
         <translation>没有编号为 %1 的下载，或它已结束。</translation>
     </message>
     <message>
+        <source>There is no element %1 in %2. Its elements are 0 to %3.</source>
+        <translation>%2 中没有元素 %1。其元素为 0～%3。</translation>
+    </message>
+    <message>
         <source>There is no group that this ) could close. Remove it, or open one with AND( or OR(.</source>
         <translation>这个 ) 没有可关闭的组。删除它，或用 AND( 或 OR( 打开一个组。</translation>
+    </message>
+    <message>
+        <source>There is no label %1 in this program. Write LBL %1 where the jump goes to.</source>
+        <translation>此程序中没有标号 %1。请在跳转目标处写 LBL %1。</translation>
     </message>
     <message>
         <source>There is no motion network for the controller %1. Choose another model, or remove axes and network.</source>

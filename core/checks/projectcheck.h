@@ -2,6 +2,7 @@
 
 #include "core/checks/checkproject.h"
 #include "core/checks/validproject.h"
+#include "core/model/arraytype.h"
 
 #include <set>
 #include <string>
@@ -26,6 +27,9 @@ private:
     void checkBusLoad();
     void checkPrograms();
     void checkVariables();
+    void checkArray(const Place& row, const Variable& variable, const ArrayType& array);
+    std::optional<Address> checkArrayAddress(const Place& place, const Variable& variable, const ArrayType& array);
+    void checkInitial(const Place& place, const Variable& variable, ValidVariable& valid);
     void checkVariable(const Place& row, const Variable& variable);
     void checkVariableName(const Place& place, const std::string& name);
     std::optional<Address> checkAddress(const Place& place, const Variable& variable);

@@ -23,6 +23,12 @@ std::span<const DataType> offeredTypes(const Family& family)
     return family.id() == "kinco" ? std::span<const DataType>(Kinco) : family.id() == "koyo" ? std::span<const DataType>(Koyo) : std::span<const DataType>(Invt);
 }
 
+/// TS-VAR-05.
+bool hasArrays(const Family& family)
+{
+    return family.id() == "invt";
+}
+
 /// A Kinco or Koyo variable is a name for an address (KS-MEM-06); TS600 places variables itself (TS-VAR-04).
 bool needsAddresses(const Family& family)
 {
@@ -80,6 +86,10 @@ void ProjectCheck::checkVariable(const Place& row, const Variable& variable)
         return;
     const Family& family = *m_valid.m_family;
     const std::span<const DataType> types = offeredTypes(family);
+    if (const auto array = arrayTypeOf(variable.type); array && hasArrays(family) && std::find(types.begin(), types.end(), array->element) != types.end()) {
+        checkArray(row, variable, *array);
+        return;
+    }
     if (!variable.type.isValid()) {
         report(Code::FieldNotOneOf, {variable.type.text(), "type", typeNames(types)}, member(row, ".type"));
         return;
@@ -90,17 +100,57 @@ void ProjectCheck::checkVariable(const Place& row, const Variable& variable)
         return;
     }
     ValidVariable valid{variable.name, type, checkAddress(member(row, ".address"), variable), std::nullopt, variable.retain, row};
-    if (!variable.initial.empty()) {
-        auto initial = parseValue(type, variable.initial);
-        if (initial) {
-            valid.initial = *initial;
-        } else {
-            Diagnostic error = initial.error();
-            error.place = member(row, ".initial");
-            m_out.push_back(std::move(error));
-        }
-    }
+    checkInitial(member(row, ".initial"), variable, valid);
     m_valid.m_variables.push_back(std::move(valid));
+}
+
+void ProjectCheck::checkInitial(const Place& place, const Variable& variable, ValidVariable& valid)
+{
+    if (variable.initial.empty())
+        return;
+    auto initial = parseValue(valid.type, variable.initial);
+    if (initial) {
+        valid.initial = *initial;
+        return;
+    }
+    Diagnostic error = initial.error();
+    error.place = place;
+    m_out.push_back(std::move(error));
+}
+
+/// TS-VAR-05, TS-VAR-10. An initial value is that of every element (ours).
+void ProjectCheck::checkArray(const Place& row, const Variable& variable, const ArrayType& array)
+{
+    ValidVariable valid{variable.name, array.element, checkArrayAddress(member(row, ".address"), variable, array), std::nullopt, variable.retain, row};
+    checkInitial(member(row, ".initial"), variable, valid);
+    m_valid.m_variables.push_back(std::move(valid));
+}
+
+/// Bits bind to bit elements only, words to words, and all elements must be there.
+std::optional<Address> ProjectCheck::checkArrayAddress(const Place& place, const Variable& variable, const ArrayType& array)
+{
+    if (variable.address.empty())
+        return std::nullopt;
+    const Family& family = *m_valid.m_family;
+    auto address = family.parseAddress(variable.address, *m_valid.m_model);
+    if (address)
+        address = family.withType(*address, array.element, *m_valid.m_model);
+    if (!address) {
+        Diagnostic error = address.error();
+        error.place = place;
+        m_out.push_back(std::move(error));
+        return std::nullopt;
+    }
+    if (array.element == DataType::Bool && family.area(address->area).kind == AreaKind::Words) {
+        report(Code::FieldNotOneOf, {variable.address, "address", "X, Y, M, S"}, place);
+        return std::nullopt;
+    }
+    const std::uint64_t bytes = std::uint64_t{array.length} * byteWidth(array.element);
+    if (family.blockFits(*address, bytes, *m_valid.m_model))
+        return *address;
+    const std::uint32_t left = m_valid.m_model->area(address->area).bytes - address->byte;
+    report(Code::BlockOutsideArea, {std::to_string(array.length), variable.address, std::to_string(bytes), std::to_string(left)}, place);
+    return std::nullopt;
 }
 
 void ProjectCheck::checkVariableName(const Place& place, const std::string& name)

@@ -45,6 +45,8 @@ enum class PinKind : std::uint8_t {
     Program,   ///< the name of a subroutine
     Arguments, ///< any number of further operands, those of the subroutine called
     Axis,      ///< the name or number of an axis (TS600 motion blocks)
+    Label,     ///< the name or number of a label of the same program
+    Interrupt, ///< the name of an interrupt routine
 };
 
 /// One operand of an instruction, in the order of the instruction list.

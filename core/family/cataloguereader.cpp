@@ -27,7 +27,8 @@ constexpr Choice<Executes> ExecuteKinds[] = {{"flow", Executes::OnFlow}, {"edge"
 constexpr Choice<Capability> Capabilities[] = {{"", Capability::None}, {"pulse", Capability::PulseOutputs}, {"motion", Capability::MotionAxes}};
 constexpr Choice<PinDirection> Directions[] = {{"in", PinDirection::In}, {"out", PinDirection::Out}, {"inout", PinDirection::InOut}};
 constexpr Choice<PinKind> PinKinds[] = {{"value", PinKind::Value}, {"block", PinKind::Block}, {"timer", PinKind::Timer},
-    {"counter", PinKind::Counter}, {"program", PinKind::Program}, {"arguments", PinKind::Arguments}, {"axis", PinKind::Axis}};
+    {"counter", PinKind::Counter}, {"program", PinKind::Program}, {"arguments", PinKind::Arguments}, {"axis", PinKind::Axis},
+    {"label", PinKind::Label}, {"interrupt", PinKind::Interrupt}};
 
 bool isBitArea(AreaKind kind)
 {

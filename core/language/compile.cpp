@@ -44,10 +44,14 @@ Sources sourcesOf(const Project& project, const ObjectKey& key, std::string_view
     return out;
 }
 
-LoweredPrograms lower(const ValidProject& project, const std::vector<CheckedProgram>& lists, const st::Compilation* compilation, const Job& job)
+/// `variableBytes`: what the variable tables take of VariablesArea; Structured Text follows, then what the lists need.
+LoweredPrograms lower(const ValidProject& project, const std::vector<CheckedProgram>& lists, const st::Compilation* compilation,
+                      std::uint32_t variableBytes, const Job& job)
 {
     const std::vector<std::string> following = compilation ? st::programRoutines(*compilation) : std::vector<std::string>();
-    LoweredPrograms out = lowerPrograms(project.family(), project.model(), lists, job, following);
+    LoweredPrograms out = lowerPrograms(project.family(), project.model(), lists, job, following,
+                                        compilation ? std::max(variableBytes, compilation->variableBytes) : variableBytes);
+    const std::uint32_t end = out.variableBytes;
     if (compilation && !job.isCancelled()) {
         const auto routineByName = [&lists](std::string_view name) {
             const auto found = std::ranges::find(lists, name, [](const CheckedProgram& program) { return std::string_view(program.key.name); });
@@ -55,6 +59,7 @@ LoweredPrograms lower(const ValidProject& project, const std::vector<CheckedProg
         };
         st::lowerSt(*compilation, &project.family(), routineByName, out);
     }
+    out.variableBytes = std::max(out.variableBytes, end);
     return out;
 }
 
@@ -106,7 +111,7 @@ CompileResult compile(const ValidProject& project, const BuildOptions& options, 
         for (const CheckedProgram& program : *checked.programs)
             reportNotSimulated(program, result.diagnostics);
     }
-    LoweredPrograms lowered = lower(project, *checked.programs, compilation.get(), job);
+    LoweredPrograms lowered = lower(project, *checked.programs, compilation.get(), context->variableBytes, job);
     job.report(0.8);
     if (job.isCancelled())
         return cancelled(std::move(result));

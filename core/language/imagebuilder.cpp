@@ -41,13 +41,25 @@ Configuration configurationOf(const ValidProject& project)
     return out;
 }
 
+/// Elements of an array that watch tables and traces know by name.
+constexpr std::uint32_t MostNamedElements = 4096;
+
+Address elementAt(const KnownVariable& variable, std::uint32_t number)
+{
+    Address out = *variable.address;
+    out.byte += number * byteWidth(variable.type);
+    return out;
+}
+
 /// The variables of the tables, and those the programs declare. Of two with one name the table's counts.
 std::vector<Symbol> symbolsOf(const LanguageContext& context, std::vector<Symbol> declared)
 {
     std::vector<Symbol> symbols;
     for (const KnownVariable& variable : context.variables) {
-        if (variable.address)
+        if (variable.address && variable.elements == 0)
             symbols.push_back({variable.name, *variable.address, variable.retain});
+        for (std::uint32_t i = 0; variable.address && i < std::min(variable.elements, MostNamedElements); ++i)
+            symbols.push_back({variable.name + "[" + std::to_string(i) + "]", elementAt(variable, i), variable.retain});
     }
     for (Symbol& symbol : declared) {
         if (!context.findVariable(symbol.name))
@@ -63,8 +75,8 @@ std::vector<InitialValue> initialValuesOf(const ValidProject& project, const Lan
     std::vector<InitialValue> values;
     for (const ValidVariable& variable : project.variables()) {
         const KnownVariable* known = variable.initial ? context.findVariable(variable.name) : nullptr;
-        if (known && known->address)
-            values.push_back({*known->address, *variable.initial});
+        for (std::uint32_t i = 0; known && known->address && i < std::max(known->elements, 1u); ++i)
+            values.push_back({elementAt(*known, i), *variable.initial});
     }
     return values;
 }
@@ -108,6 +120,7 @@ ControllerImage buildImage(const ValidProject& project, const LanguageContext& c
     image.debug = std::move(lowered.debug);
     image.debug.projectName = project.name();
     image.configuration = configurationOf(project);
+    image.configuration.interrupts = std::move(lowered.interrupts);
     image.symbols = symbolsOf(context, std::move(lowered.symbols));
     image.source = options.archive.empty() ? archiveOf(project.project()) : options.archive;
     return image;

@@ -13,6 +13,8 @@ void ControllerEngine::Impl::doCycle()
         if (program->scan.endsAt(now))
             program->motion->endScan();
         program->motion->cycle(cycle, now);
+        if (program->scan.isRunning())
+            runInterrupts();
         if (program->scan.beginsAt(now))
             runScan();
     }
@@ -43,10 +45,22 @@ void ControllerEngine::Impl::watchTransitions()
         startProgram();
 }
 
+/// Interrupt routines run between scans: a scan's code takes no time (CONTRACTS 10), so nothing is there to interrupt.
+void ControllerEngine::Impl::runInterrupts()
+{
+    InterruptTable& interrupts = program->blocks.interrupts();
+    interrupts.watch(now, [this](const Address& input) { return program->scan.inputLevel(input); });
+    while (const std::optional<std::uint32_t> routine = interrupts.take()) {
+        const ScanReport report = program->scan.runInterrupt(*routine, now, program->blocks);
+        if (report.end == ScanEnd::OutOfOperations)
+            return watchdogFired(report);
+    }
+}
+
 void ControllerEngine::Impl::runScan()
 {
     program->motion->beginScan();
-    const ScanReport report = program->scan.run(now, program->motion->blocks());
+    const ScanReport report = program->scan.run(now, program->blocks);
     if (report.end == ScanEnd::OutOfOperations)
         watchdogFired(report);
 }

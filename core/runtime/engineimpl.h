@@ -21,6 +21,7 @@ struct ControllerEngine::Impl {
     void doCycle();
     void applyDueInputs();
     void watchTransitions();
+    void runInterrupts();
     void runScan();
     void sampleTrace();
 

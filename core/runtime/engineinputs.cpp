@@ -63,6 +63,7 @@ void ControllerEngine::Impl::startProgram()
     state = RunState::Run;
     program->motion->startProgram();
     program->scan.start(now);
+    program->blocks.interrupts().start(now, [this](const Address& input) { return program->scan.inputLevel(input); });
     log.add(Code::ProgramStarted);
 }
 

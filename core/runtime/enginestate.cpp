@@ -7,7 +7,7 @@ namespace camwright {
 namespace {
 
 constexpr std::uint32_t kMagic = 0x54535743; // "CWST"
-constexpr std::uint32_t kVersion = 1;
+constexpr std::uint32_t kVersion = 2;
 
 /// Three hundred years of milliseconds still fit the nanoseconds of Time, and nothing overflows near them.
 constexpr std::uint64_t kMostCycles = 9'000'000'000'000;
@@ -72,6 +72,7 @@ void ControllerEngine::Impl::save(ByteWriter& writer) const
         return;
     program->scan.save(writer);
     program->motion->save(writer);
+    program->blocks.save(writer);
 }
 
 bool ControllerEngine::Impl::restore(ByteReader& reader)
@@ -117,6 +118,7 @@ bool ControllerEngine::Impl::restore(ByteReader& reader)
     if (!program->scan.restore(reader))
         return false;
     program->motion->restore(reader);
+    program->blocks.restore(reader);
     return reader.ok() && reader.atEnd() && hasUsableTrace();
 }
 

@@ -54,6 +54,7 @@ LoadedProgram::LoadedProgram(PreparedImage prepared, std::uint64_t seed, Control
     , hash(programHash(*image))
     , scan(family, std::move(prepared.executor))
     , motion(makeMotion(image, seed, log, now))
+    , blocks(*image, motion->blocks())
     , names(*image, family, model, *motion)
 {
 }

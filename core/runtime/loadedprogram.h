@@ -3,6 +3,7 @@
 #include "core/base/bytes.h"
 #include "core/family/family.h"
 #include "core/language/image/controllerimage.h"
+#include "core/runtime/blocks/programblocks.h"
 #include "core/runtime/log/controllerlog.h"
 #include "core/runtime/motionsystem.h"
 #include "core/runtime/native/loadexecutor.h"
@@ -36,6 +37,7 @@ struct LoadedProgram {
     Hash hash;
     ScanTask scan;
     std::unique_ptr<MotionSystem> motion;
+    ProgramBlocks blocks;
     ValueNames names;
 };
 

@@ -99,6 +99,29 @@ ScanReport ScanTask::run(Time now, BlockHost& host)
     return report;
 }
 
+ScanReport ScanTask::runInterrupt(std::uint32_t routine, Time now, BlockHost& host)
+{
+    ScanInput input;
+    input.now = now;
+    input.operations = static_cast<std::uint64_t>(m_watchdog / 1ms) * kWatchdogOperationsPerMs;
+    input.host = &host;
+    applyForces(memory(), m_forces);
+    const ScanReport report = m_executor.run(routine, input);
+    applyForces(memory(), m_forces);
+    m_error = m_error || report.faults > 0;
+    return report;
+}
+
+bool ScanTask::inputLevel(const Address& address) const
+{
+    if (!isForced(address)) {
+        for (const Terminals& terminals : m_inputs)
+            if (terminals.area == address.area && address.byte < terminals.bytes.size())
+                return (terminals.bytes[address.byte] >> address.bit & 1) != 0;
+    }
+    return memory().read(address).asBool();
+}
+
 bool ScanTask::write(const Address& address, const Value& value)
 {
     if (!memory().write(address, value))

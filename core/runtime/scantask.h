@@ -39,6 +39,10 @@ public:
     bool endsAt(Time now);
     bool beginsAt(Time now) const { return m_running && !m_inScan && now >= m_nextStart; }
     ScanReport run(Time now, BlockHost& host);
+    /// One pass of an interrupt routine, on the process image as it is (ours).
+    ScanReport runInterrupt(std::uint32_t routine, Time now, BlockHost& host);
+    /// An input as its terminal has it, or as it is forced.
+    bool inputLevel(const Address& address) const;
     Time modelledTime() const { return m_scanTime; }
     Time watchdog() const { return m_watchdog; }
 

@@ -33,6 +33,8 @@ void writeInvt(Memory& memory, const ScanMoment& moment)
     for (const Clock& clock : kClocks)
         set(clock.flag, moment.running && moment.now % clock.period < clock.period / 2);
     set(15, moment.toggle);
+    set(23, false);
+    set(24, false);
 }
 
 constexpr std::array<Clock, 4> kKoyoClocks{{{koyo::Minute, 60s}, {koyo::Second, 1s}, {koyo::Tenth, 100ms}, {koyo::Twentieth, 50ms}}};

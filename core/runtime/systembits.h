@@ -18,7 +18,7 @@ struct ScanMoment {
 };
 
 /// Writes the flags that the controller itself keeps: Kinco SM0.0 and SM0.1 (KS-MEM-09); TS600 SM0 to SM3, the clocks SM10 to
-/// SM14 and SM15 (TS-MEM-09). A clock is on in the first half of its period, counted from the controller's start (ours).
+/// SM14 and SM15 (TS-MEM-09); SM23 and SM24, which instructions set, are off at a scan's beginning (ours). A clock is on in the first half of its period, counted from the controller's start (ours).
 void writeSystemBits(std::string_view family, Memory& memory, const ScanMoment& moment);
 
 } // namespace camwright

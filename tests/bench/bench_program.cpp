@@ -43,9 +43,9 @@ ControllerImage compileText(const std::string& text, const LanguageContext& cont
             std::fputs((englishLine(diagnostic) + "\n").c_str(), stderr);
         std::abort();
     }
-    LoweredPrograms lowered = lowerPrograms(*context.family, *context.model, *checked.programs, Job());
+    LoweredPrograms lowered = lowerPrograms(*context.family, *context.model, *checked.programs, Job(), {}, context.variableBytes);
     ControllerImage image;
-    image.layout = memoryLayout(*context.family, *context.model, 0, 1);
+    image.layout = memoryLayout(*context.family, *context.model, lowered.variableBytes, 1);
     image.program = std::move(lowered.program);
     image.debug = std::move(lowered.debug);
     return image;

@@ -34,6 +34,7 @@ CAMWRIGHT_CODE(FlowLeftOver, "CW3109", Error, CW_TEXT("Diagnostics", "The flow t
 CAMWRIGHT_CODE(GroupNotInFamily, "CW3110", Error, CW_TEXT("Diagnostics", "%1 is an extension of Camwright and strict Kinco is set. Write the group to a marker bit in a network of its own, and use the bit here."))
 CAMWRIGHT_CODE(FlowsMissing, "CW3111", Error, CW_TEXT("Diagnostics", "%1 takes %2 flows, and fewer are open here. Begin each of them with STR."))
 
+
 CAMWRIGHT_CODE(UnknownInstruction, "CW3201", Error, CW_TEXT("Diagnostics", "\"%1\" is not an instruction of %2."))
 CAMWRIGHT_CODE(UnknownInstructionNear, "CW3202", Error, CW_TEXT("Diagnostics", "\"%1\" is not an instruction of %2. Did you mean %3?"))
 CAMWRIGHT_CODE(TooFewOperands, "CW3203", Error, CW_TEXT("Diagnostics", "%1 lacks the operand %2. It is written %3."))
@@ -72,6 +73,21 @@ CAMWRIGHT_CODE(UnknownAxis, "CW3310", Error, CW_TEXT("Diagnostics", "\"%1\" is n
 CAMWRIGHT_CODE(NoParameters, "CW3307", Error, CW_TEXT("Diagnostics", "%1 has no parameters. Write the call without further operands."))
 CAMWRIGHT_CODE(VariableWithoutAddress, "CW3308", Error, CW_TEXT("Diagnostics", "The variable %1 has no usable address. Give it one in its variable table."))
 
+CAMWRIGHT_CODE(UnknownLabel, "CW3324", Error, CW_TEXT("Diagnostics", "There is no label %1 in this program. Write LBL %1 where the jump goes to."))
+CAMWRIGHT_CODE(LabelTwice, "CW3325", Error, CW_TEXT("Diagnostics", "The label %1 stands at two places. Give one of them another name."))
+CAMWRIGHT_CODE(NotAnInterrupt, "CW3313", Error, CW_TEXT("Diagnostics", "%1 is not an interrupt routine. Change its role to interrupt, or correct the name."))
+CAMWRIGHT_CODE(CallInInterrupt, "CW3314", Error, CW_TEXT("Diagnostics", "An interrupt routine of a %1 cannot call %2. Write its instructions here."))
+CAMWRIGHT_CODE(CallArguments, "CW3315", Error, CW_TEXT("Diagnostics", "%1 takes %2 arguments, here are %3. They are %4."))
+CAMWRIGHT_CODE(BadParameter, "CW3316", Error, CW_TEXT("Diagnostics", "\"%1\" does not declare a parameter. Write it like %2."))
+CAMWRIGHT_CODE(TooManyParameters, "CW3317", Error, CW_TEXT("Diagnostics", "A subroutine has at most %1 parameters and local variables of this kind; %2 is one too many."))
+CAMWRIGHT_CODE(BadInterruptEvent, "CW3318", Error, CW_TEXT("Diagnostics", "\"%1\" is not an event that starts an interrupt routine. Write it like %2."))
+CAMWRIGHT_CODE(NothingStartsInterrupt, "CW3319", Warning, CW_TEXT("Diagnostics", "Nothing starts the interrupt routine %1. Give it an event, or remove it."))
+
+CAMWRIGHT_CODE(ArrayNeedsSubscript, "CW3320", Error, CW_TEXT("Diagnostics", "%1 is an array. Write which element is meant, like %1[0]."))
+CAMWRIGHT_CODE(SubscriptOutOfRange, "CW3321", Error, CW_TEXT("Diagnostics", "There is no element %1 in %2. Its elements are 0 to %3."))
+CAMWRIGHT_CODE(BadSubscript, "CW3322", Error, CW_TEXT("Diagnostics", "\"%1\" cannot be a subscript. A subscript is a number, an INT or DINT variable, or an element of an array with a number."))
+CAMWRIGHT_CODE(SubscriptNotAllowed, "CW3323", Error, CW_TEXT("Diagnostics", "The operand %2 of %3 takes no variable subscript: %1. Copy the element to a variable first, or write its number."))
+
 CAMWRIGHT_CODE(NeedsPulseOutputs, "CW3401", Error, CW_TEXT("Diagnostics", "%1 needs pulse outputs, and a %2 has none. Choose another model, or remove the instruction."))
 CAMWRIGHT_CODE(NeedsMotionAxes, "CW3406", Error, CW_TEXT("Diagnostics", "%1 needs axes on a CAN port, and a %2 has none. Choose another model, or remove the instruction."))
 CAMWRIGHT_CODE(ProgramTooLarge, "CW3402", Error, CW_TEXT("Diagnostics", "The programs have %1 instructions, a %2 holds %3."))
@@ -86,6 +102,9 @@ CAMWRIGHT_CODE(ModuleBlockOutside, "CW3411", Error, CW_TEXT("Diagnostics", "The 
 CAMWRIGHT_CODE(StationCountIllegal, "CW3412", Error, CW_TEXT("Diagnostics", "%1 is not a number of stations. A module takes 1 to 15, in BCD."))
 CAMWRIGHT_CODE(CycleIllegal, "CW3413", Error, CW_TEXT("Diagnostics", "%1 is not a communication cycle. It is 1000 to 8000 microseconds, in BCD."))
 CAMWRIGHT_CODE(CycleTooShort, "CW3414", Error, CW_TEXT("Diagnostics", "The communication cycle of %1 microseconds is too short for %2 stations. It must be longer than %3."))
+
+CAMWRIGHT_CODE(CallsTooDeepHere, "CW3415", Error, CW_TEXT("Diagnostics", "Calls nest %1 deep here: %2. A %3 takes %4."))
+CAMWRIGHT_CODE(TooManySubroutines, "CW3416", Error, CW_TEXT("Diagnostics", "There are %1 subroutines, a %2 takes %3."))
 
 CAMWRIGHT_CODE(RungDoesNothing, "CW3501", Warning, CW_TEXT("Diagnostics", "This rung has no output and no instruction: it does nothing."))
 CAMWRIGHT_CODE(TimerUsedTwice, "CW3502", Warning, CW_TEXT("Diagnostics", "%1 is timed or counted at two places. Both change the same value."))

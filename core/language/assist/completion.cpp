@@ -29,10 +29,11 @@ public:
     {
         if (pin) {
             switch (pin->kind) {
-            case PinKind::Program: programs(); break;
+            case PinKind::Program: programs(ProgramRole::Subroutine); break;
+            case PinKind::Interrupt: programs(ProgramRole::Interrupt); break;
             case PinKind::Axis: axes(true); break;
             case PinKind::Value: case PinKind::Block: values(*pin); break;
-            case PinKind::Timer: case PinKind::Counter: case PinKind::Arguments: break;
+            case PinKind::Timer: case PinKind::Counter: case PinKind::Arguments: case PinKind::Label: break;
             }
         }
         sort();
@@ -69,10 +70,10 @@ private:
         });
     }
 
-    void programs()
+    void programs(ProgramRole role)
     {
         for (const KnownProgram& program : m_context.programs)
-            if (program.role == ProgramRole::Subroutine)
+            if (program.role == role)
                 add({CompletionKind::Program, program.name, {}, {}});
     }
 

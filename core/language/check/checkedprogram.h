@@ -3,6 +3,7 @@
 #include "core/base/value.h"
 #include "core/family/address.h"
 #include "core/family/catalogue.h"
+#include "core/language/check/resolvedprogram.h"
 #include "core/language/source/rung.h"
 #include "core/model/objects.h"
 
@@ -25,6 +26,8 @@ struct AddressOperand {
     Address address;
     DataType type = DataType::Bool;
     std::string symbol; ///< the variable's name when it was written by name
+    std::uint32_t elements = 0; ///< an array with a variable subscript: how many; `address` is the first. 0: none
+    Address index{};            ///< the subscript, INT or DINT
     bool operator==(const AddressOperand&) const = default;
 };
 
@@ -43,13 +46,19 @@ struct BlockOperand {
     bool operator==(const BlockOperand&) const = default;
 };
 
-/// A subroutine that exists and does not lead back here.
+/// A subroutine that exists and does not lead back here, or an interrupt routine.
 struct ProgramOperand {
     std::string name;
     bool operator==(const ProgramOperand&) const = default;
 };
 
-using OperandValue = std::variant<NoOperand, AddressOperand, ConstantOperand, BlockOperand, ProgramOperand>;
+/// A label that stands once in the same program.
+struct LabelOperand {
+    std::string name;
+    bool operator==(const LabelOperand&) const = default;
+};
+
+using OperandValue = std::variant<NoOperand, AddressOperand, ConstantOperand, BlockOperand, ProgramOperand, LabelOperand>;
 
 /// One operand at its pin.
 struct CheckedOperand {
@@ -67,7 +76,7 @@ struct CheckedStatement {
     StatementRole role = StatementRole::Block;
     ContactForm form = ContactForm::None;
     const Instruction* instruction = nullptr; ///< of the catalogue; never null
-    std::vector<CheckedOperand> operands;     ///< one for each pin of the instruction, in the catalogue's order
+    std::vector<CheckedOperand> operands;     ///< one for each pin of the instruction, in the catalogue's order; then a CALL's arguments
     DataType type = DataType::Bool;           ///< the type its operands share (MOVE, EQ, ADD); BOOL where there is none
     std::uint32_t instance = NoInstance;      ///< of edges (contacts, R_TRIG) and blocks: dense from 0 in each program
     TextRange range;
@@ -95,6 +104,9 @@ struct CheckedProgram {
     DialectId dialect = DialectId::KincoIl;
     std::vector<CheckedNetwork> networks;
     std::uint32_t instances = 0;  ///< how many instance numbers are in use
+    /// The subroutine's variable table, which the pins of its own locals and of calls point to.
+    std::shared_ptr<const std::vector<KnownParameter>> parameters{};
+    std::optional<InterruptEvent> event{};
 };
 
 } // namespace camwright

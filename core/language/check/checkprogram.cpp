@@ -1,5 +1,6 @@
 #include "core/language/check/checkprogram.h"
 
+#include "core/language/check/controlrules.h"
 #include "core/language/check/operandtypes.h"
 #include "core/language/source/letters.h"
 
@@ -80,18 +81,39 @@ private:
                 report(Code::NeedsTimer, operand, {text, pin.name, m_instruction.mnemonic});
             else if (pin.kind == PinKind::Counter)
                 report(Code::NeedsCounter, operand, {text, pin.name, m_instruction.mnemonic});
-            else if (pin.direction != PinDirection::In)
+            else if (pin.direction != PinDirection::In && pin.kind != PinKind::Axis)
                 report(Code::OutputNeedsMemory, operand, {text, pin.name, m_instruction.mnemonic});
             else if (!pin.constantAllowed && pin.kind != PinKind::Axis)
                 report(Code::ConstantNotAllowed, operand, {text, pin.name, m_instruction.mnemonic, areaNames(pin, m_family)});
         } else if (const ResolvedMemory* memory = memoryOf(operand)) {
             if (pin.kind == PinKind::Timer || pin.kind == PinKind::Counter)
                 checkElement(operand, *memory);
+            else if (memory->index && !takesSubscript(pin))
+                report(Code::SubscriptNotAllowed, operand, {text, pin.name, m_instruction.mnemonic});
             else if (pin.areas.empty())
                 report(Code::ConstantOnly, operand, {text, pin.name, m_instruction.mnemonic});
             else if (!areaAllowed(pin, memory->address, m_family))
                 report(Code::WrongArea, operand, {text, pin.name, m_instruction.mnemonic, areaNames(pin, m_family)});
         }
+    }
+
+    /// TS-IDX-06: blocks of elements, and what the controller's blocks do themselves, have fixed places.
+    bool takesSubscript(const Pin& pin) const
+    {
+        static constexpr std::string_view ByBlock[] = {"block", "motion", "clock", "convert"};
+        const bool runsAsBlock = std::ranges::find(ByBlock, m_instruction.group) != std::end(ByBlock) && !isPlainConversion(m_instruction.id);
+        return pin.kind == PinKind::Value && !runsAsBlock && !isFunction(m_instruction.id);
+    }
+
+    static bool isPlainConversion(InstructionId id)
+    {
+        return id >= InstructionId::InvtItd && id <= InstructionId::InvtDint;
+    }
+
+    static bool isFunction(InstructionId id)
+    {
+        return (id >= InstructionId::InvtSin && id <= InstructionId::InvtExp) || id == InstructionId::InvtSmov || id == InstructionId::InvtFmov
+            || id == InstructionId::InvtDfmov || id == InstructionId::InvtBmov || id == InstructionId::InvtZset || id == InstructionId::InvtZrst;
     }
 
     void checkElement(const ResolvedOperand& operand, const ResolvedMemory& memory)
@@ -236,6 +258,8 @@ private:
             out.value = checkedConstant(operand, *literal, m_decided[i]);
         else if (const auto* program = std::get_if<ResolvedProgramName>(&operand.value))
             out.value = ProgramOperand{program->name};
+        else if (const auto* label = std::get_if<ResolvedLabel>(&operand.value))
+            out.value = LabelOperand{label->name};
         else if (!operand.pin->defaultValue.empty())
             if (const auto value = parseValue(preferredType(operand.pin->types), operand.pin->defaultValue))
                 out.value = ConstantOperand{*value};
@@ -247,7 +271,7 @@ private:
         const std::string symbol = memory.variable ? memory.variable->name : std::string();
         if (pin.kind == PinKind::Timer || pin.kind == PinKind::Counter) {
             const auto value = m_family.valueOf(memory.address);
-            return AddressOperand{memory.address, value ? value->type : DataType::Int, symbol};
+            return AddressOperand{memory.address, value ? value->type : DataType::Int, symbol, 0, {}};
         }
         Address address = memory.address;
         if (address.area == VariablesArea)
@@ -256,7 +280,13 @@ private:
             address = *typed;
         if (pin.kind == PinKind::Block)
             return BlockOperand{address, type, pin.countPin.empty() ? std::optional<std::uint32_t>(pin.fixedCount) : std::nullopt};
-        return AddressOperand{address, type, symbol};
+        AddressOperand out{address, type, symbol, 0, {}};
+        if (memory.index) {
+            out.elements = memory.variable->elements;
+            out.index = memory.indexAddress;
+            out.index.type = memory.index->type;
+        }
+        return out;
     }
 
     OperandValue checkedConstant(const ResolvedOperand& operand, const Literal& literal, DataType type)
@@ -356,8 +386,8 @@ private:
 std::optional<CheckedProgram> checkProgram(const ResolvedProgram& program, const LanguageContext& context, Diagnostics& diagnostics)
 {
     DiagnosticSink sink(diagnostics, program.key);
-    CheckedProgram out{program.key, program.role, program.dialect, {}, 0};
-    bool ok = program.isComplete;
+    CheckedProgram out{program.key, program.role, program.dialect, {}, 0, program.parameters, program.event};
+    bool ok = checkControl(program, sink) && program.isComplete;
     for (const ResolvedNetwork& network : program.networks) {
         CheckedNetwork checkedNetwork{network.number, {}, network.range};
         for (const ResolvedRung& rung : network.rungs) {

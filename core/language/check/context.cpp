@@ -1,6 +1,9 @@
 #include "core/language/check/context.h"
 
 #include "core/language/source/koyodialect.h"
+#include "core/model/arraytype.h"
+
+#include <algorithm>
 
 namespace camwright {
 
@@ -17,28 +20,30 @@ bool hasUnboundVariables(const Family& family)
     return family.id() == "invt";
 }
 
-Address allocate(LanguageContext& context, DataType type)
+Address allocate(LanguageContext& context, DataType type, std::uint32_t elements)
 {
     std::uint32_t& end = context.variableBytes;
     const std::uint32_t width = byteWidth(type);
     if (width > 1)
         end += end % 2;
     const Address out = type == DataType::Bool ? bitAddress(VariablesArea, end) : valueAddress(VariablesArea, end, type);
-    end += width;
+    end += width * elements;
     return out;
 }
 
 void addVariable(LanguageContext& context, const Variable& variable, Place place)
 {
-    if (variable.name.empty() || !variable.type.isValid())
+    const auto array = hasUnboundVariables(*context.family) ? arrayTypeOf(variable.type) : std::nullopt;
+    if (variable.name.empty() || (!variable.type.isValid() && !array))
         return;
-    KnownVariable out{variable.name, variable.type.value(), std::nullopt, !variable.address.empty(), variable.retain, std::move(place)};
+    const DataType type = array ? array->element : variable.type.value();
+    KnownVariable out{variable.name, type, std::nullopt, !variable.address.empty(), variable.retain, array ? array->length : 0, std::move(place)};
     if (out.isBound) {
         if (const auto address = context.family->parseAddress(variable.address, *context.model, AddressMode::Typed))
             if (const auto typed = context.family->withType(*address, out.type, *context.model))
                 out.address = *typed;
     } else if (hasUnboundVariables(*context.family)) {
-        out.address = allocate(context, out.type);
+        out.address = allocate(context, out.type, std::max(out.elements, 1u));
     }
     context.variables.push_back(std::move(out));
 }
@@ -56,7 +61,54 @@ void addVariables(LanguageContext& context, const Project& project)
     }
 }
 
+constexpr std::uint32_t MaximumLocals = 16; // of each kind, TS-SBR-02
+
+PinDirection directionOf(ParameterKind kind)
+{
+    if (kind == ParameterKind::Out)
+        return PinDirection::Out;
+    return kind == ParameterKind::InOut ? PinDirection::InOut : PinDirection::In;
+}
+
+Pin pinOf(const Parameter& parameter, const Pin& arguments)
+{
+    Pin out = arguments;
+    out.name = parameter.name;
+    out.kind = PinKind::Value;
+    out.direction = directionOf(parameter.kind);
+    out.types = TypeSet{parameter.type};
+    out.mainType = parameter.type;
+    out.constantAllowed = parameter.kind == ParameterKind::In;
+    out.optional = false;
+    return out;
+}
+
 } // namespace
+
+ParameterTable layOut(const Declarations& declarations, const Family& family, const ControllerModel& model)
+{
+    ParameterTable out;
+    const Instruction* call = family.catalogue().find("CALL");
+    const Pin* arguments = call ? call->findPin("ARGUMENTS") : nullptr;
+    std::uint32_t bits = 0, words = 0, bitCount = 0, wordCount = 0;
+    for (const Parameter& parameter : declarations.parameters) {
+        const bool isBit = parameter.type == DataType::Bool;
+        if (++(isBit ? bitCount : wordCount) > MaximumLocals || !arguments) {
+            out.tooMany = out.tooMany ? out.tooMany : parameter;
+            continue;
+        }
+        const std::string place = isBit ? "LM" + std::to_string(bits) : "V" + std::to_string(words);
+        if (isBit)
+            ++bits;
+        else
+            words += byteWidth(parameter.type) / 2;
+        const auto address = family.parseAddress(place, model);
+        const auto typed = address ? family.withType(*address, parameter.type, model) : address;
+        if (typed)
+            out.parameters.push_back({{parameter.name, parameter.type, *typed, true, false, 0, {}}, parameter.kind, pinOf(parameter, *arguments)});
+    }
+    return out;
+}
 
 const KnownVariable* LanguageContext::findVariable(std::string_view name) const
 {
@@ -112,7 +164,7 @@ void LanguageContext::index()
     m_byPlace.clear();
     for (std::size_t i = 0; i < variables.size(); ++i) {
         m_byName.emplace(variables[i].name, i);
-        if (const auto& address = variables[i].address; address && variables[i].isBound)
+        if (const auto& address = variables[i].address; address && variables[i].isBound && variables[i].elements == 0)
             m_byPlace.emplace(std::pair(address->area, placeOf(*address)), i);
     }
 }
@@ -134,7 +186,10 @@ std::optional<LanguageContext> contextOf(const Project& project)
     for (const ObjectPtr& object : project.objects(ObjectKind::Program))
         if (const auto* program = std::get_if<Program>(&object->content))
             out.programs.push_back({object->key.name, program->role,
-                out.dialect->id == DialectId::KoyoIl && program->role == ProgramRole::Subroutine ? subroutineNumber(program->source) : std::string()});
+                out.dialect->id == DialectId::KoyoIl && program->role == ProgramRole::Subroutine ? subroutineNumber(program->source) : std::string(),
+                program->language == ProgramLanguage::InstructionList
+                    ? layOut(declarationsOf(*out.dialect, program->source), *out.family, *out.model).parameters
+                    : std::vector<KnownParameter>()});
     addVariables(out, project);
     out.index();
     return out;

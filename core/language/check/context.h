@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/family/family.h"
+#include "core/language/source/declarations.h"
 #include "core/language/source/dialect.h"
 #include "core/model/project.h"
 
@@ -20,6 +21,7 @@ struct KnownVariable {
     std::optional<Address> address; ///< none: its row is wrong, or the family has no variables without an address
     bool isBound = false;           ///< the user gave the address; else it lies in VariablesArea
     bool retain = false;
+    std::uint32_t elements = 0;     ///< of an array, whose element `type` and first address are; 0: no array
     Place place;                    ///< its row: table and "rows[n]"
 };
 
@@ -28,10 +30,26 @@ struct KnownAxis {
     std::uint32_t number = 0;
 };
 
+/// A variable of a subroutine's table: where it lies in the subroutine's own memory (TS-SBR-03), and as an operand of CALL.
+struct KnownParameter {
+    KnownVariable variable;
+    ParameterKind kind = ParameterKind::In;
+    Pin pin;                        ///< as CALL's operand
+};
+
+/// The variable table laid out: BOOL from LM0, words from V0, in the order of the table. `tooMany`: the first that
+/// exceeds 16 BOOL or 16 word variables (TS-SBR-02).
+struct ParameterTable {
+    std::vector<KnownParameter> parameters;
+    std::optional<Parameter> tooMany;
+};
+ParameterTable layOut(const Declarations& declarations, const Family& family, const ControllerModel& model);
+
 struct KnownProgram {
     std::string name;
     ProgramRole role = ProgramRole::Main;
     std::string number{}; ///< Koyo: "K3", as the SBR at its beginning says; empty if there is none
+    std::vector<KnownParameter> parameters{};
 };
 
 /// What a program is read against: its family, and what else the project has. A value; made for one snapshot.

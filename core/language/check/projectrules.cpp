@@ -46,6 +46,8 @@ public:
         });
         checkSize();
         checkRecursion();
+        checkCallDepth();
+        checkInterrupts();
         forEachStatement([this](std::size_t program, const ResolvedRung&, const ResolvedStatement& statement) {
             checkAxis(program, statement);
             checkList(program, statement);
@@ -119,7 +121,9 @@ private:
     void noteCall(std::size_t program, const ResolvedStatement& statement)
     {
         for (const ResolvedOperand& operand : statement.operands)
-            if (const auto* name = std::get_if<ResolvedProgramName>(&operand.value))
+            if (const auto* name = std::get_if<ResolvedProgramName>(&operand.value); name && operand.pin->kind == PinKind::Interrupt)
+                m_attached.insert(name->name);
+            else if (name)
                 for (std::size_t i = 0; i < m_programs.size(); ++i)
                     if (m_programs[i].key.name == name->name)
                         m_calls[program].push_back({i, operand.range});
@@ -153,8 +157,58 @@ private:
         }
     }
 
+    /// TS-SBR-01: at most 64 subroutines, at most 6 levels with the main program's call as the first.
+    void checkCallDepth()
+    {
+        if (m_context.family->id() != "invt" || m_hasCycle)
+            return;
+        std::size_t subroutines = 0;
+        for (std::size_t i = 0; i < m_programs.size(); ++i) {
+            const bool isSubroutine = m_programs[i].role == ProgramRole::Subroutine;
+            if (isSubroutine && ++subroutines == MaximumSubroutines + 1)
+                report(i, Code::TooManySubroutines, {1, 1, 1, 1}, {std::to_string(countSubroutines()), m_context.model->name, std::to_string(MaximumSubroutines)});
+            if (m_programs[i].role == ProgramRole::Main)
+                descend({i}, m_programs[i].key.name);
+        }
+    }
+
+    std::size_t countSubroutines() const
+    {
+        return static_cast<std::size_t>(std::ranges::count(m_programs, ProgramRole::Subroutine, &ResolvedProgram::role));
+    }
+
+    /// Follows the calls as deep as is allowed and one further: there are at most that many on a path, and each call is
+    /// reported once.
+    void descend(const std::vector<std::size_t>& path, const std::string& chain)
+    {
+        for (const Call& call : m_calls[path.back()]) {
+            if (path.size() > MaximumCallLevels) {
+                if (m_tooDeep.insert({path.back(), call.target}).second)
+                    report(path.back(), Code::CallsTooDeepHere, call.range, {std::to_string(path.size()),
+                        shortened(chain + " > " + m_programs[call.target].key.name, 200), m_context.model->name, std::to_string(MaximumCallLevels)});
+                continue;
+            }
+            if (!m_reached.insert({call.target, path.size()}).second)
+                continue;
+            std::vector<std::size_t> deeper = path;
+            deeper.push_back(call.target);
+            descend(deeper, chain + " > " + m_programs[call.target].key.name);
+        }
+    }
+
+    /// A routine without an event never runs.
+    void checkInterrupts()
+    {
+        for (std::size_t i = 0; i < m_programs.size(); ++i) {
+            const ResolvedProgram& program = m_programs[i];
+            if (program.role == ProgramRole::Interrupt && !program.event && !m_attached.contains(program.key.name))
+                report(i, Code::NothingStartsInterrupt, {1, 1, 1, 1}, {program.key.name});
+        }
+    }
+
     void reportCycle(const std::vector<std::pair<std::size_t, std::size_t>>& path, const Call& call)
     {
+        m_hasCycle = true;
         const std::string& name = m_programs[call.target].key.name;
         std::string chain;
         bool inside = false;
@@ -256,7 +310,14 @@ private:
     std::optional<std::pair<std::size_t, TextRange>> m_tooManyMotion;
     std::map<const Instruction*, unsigned> m_perInstruction;
     std::map<std::pair<const Instruction*, std::uint32_t>, unsigned> m_perAxis;
+    static constexpr std::size_t MaximumSubroutines = 64;
+    static constexpr std::size_t MaximumCallLevels = 6;
+
     std::map<std::size_t, std::vector<Call>> m_calls;
+    bool m_hasCycle = false;
+    std::set<std::string> m_attached;                              ///< interrupt routines an instruction attaches
+    std::set<std::pair<std::size_t, std::size_t>> m_tooDeep;       ///< caller and callee
+    std::set<std::pair<std::size_t, std::size_t>> m_reached;       ///< program and level
     std::map<std::pair<AreaId, std::uint32_t>, Place> m_elements;
     std::map<std::tuple<std::size_t, AreaId, std::uint64_t>, std::pair<const ResolvedRung*, Place>> m_coils;
     std::map<AreaId, std::vector<bool>> m_written; ///< by byte

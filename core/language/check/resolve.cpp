@@ -5,6 +5,8 @@
 #include "core/language/source/operandtext.h"
 
 #include <algorithm>
+#include <charconv>
+#include <memory>
 
 namespace camwright {
 
@@ -28,9 +30,27 @@ constexpr Misprint Misprints[] = {
 
 class Resolver {
 public:
-    Resolver(const LanguageContext& context, const ObjectKey& key, Diagnostics& diagnostics)
-        : m_context(context), m_family(*context.family), m_sink(diagnostics, key)
+    Resolver(const LanguageContext& context, const ObjectKey& key, ProgramRole role, Diagnostics& diagnostics)
+        : m_context(context), m_family(*context.family), m_sink(diagnostics, key), m_role(role)
     {
+    }
+
+    /// The variable table, and what starts the routine.
+    void declarations(const Declarations& declarations, ResolvedProgram& out)
+    {
+        ParameterTable table = layOut(declarations, m_family, *m_context.model);
+        if (table.tooMany)
+            report(Code::TooManyParameters, table.tooMany->range, {"16", shortened(table.tooMany->name)});
+        m_locals = std::make_shared<const std::vector<KnownParameter>>(std::move(table.parameters));
+        out.parameters = m_locals;
+        if (!declarations.event)
+            return;
+        const auto event = this->event(*declarations.event);
+        out.event = event.value_or(InterruptEvent{}); // one that is wrong is still one: nobody misses another
+        if (m_role != ProgramRole::Interrupt)
+            report(Code::NotAnInterrupt, declarations.event->range, {shortened(m_sink.object().name)});
+        else if (!event)
+            report(Code::BadInterruptEvent, declarations.event->range, {shortened(declarations.event->text), "X0 RISING, 10 ms"});
     }
 
     ResolvedRung rung(const Rung& rung)
@@ -46,6 +66,34 @@ public:
     bool isComplete() const { return m_complete; }
 
 private:
+    void report(Code code, const TextRange& range, std::vector<std::string> arguments)
+    {
+        m_sink.add(code, range, std::move(arguments));
+        m_complete = false;
+    }
+
+    /// "X0 RISING", "X7 FALLING", "10 ms" (TS-INT-02, TS-INT-03).
+    std::optional<InterruptEvent> event(const EventText& written) const
+    {
+        const std::string text = upperCase(written.text);
+        const std::size_t blank = text.find_first_of(" \t");
+        if (blank == std::string::npos)
+            return std::nullopt;
+        const std::string first = text.substr(0, blank);
+        const std::string_view second = trimmed(std::string_view(text).substr(blank));
+        if (second == "MS") {
+            const auto number = Literal::read(first);
+            const auto value = number && number->types().contains(DataType::Int) ? std::optional(number->as(DataType::Int)) : std::nullopt;
+            if (!value || !value->ok() || (**value).asInteger() < 1 || (**value).asInteger() > 1000)
+                return std::nullopt;
+            return InterruptEvent{InterruptEvent::Kind::Timed, {}, static_cast<std::uint32_t>((**value).asInteger())};
+        }
+        const auto input = m_family.parseAddress(first, *m_context.model);
+        if (!input || !m_family.area(input->area).isInput || (second != "RISING" && second != "FALLING"))
+            return std::nullopt;
+        return InterruptEvent{second == "RISING" ? InterruptEvent::Kind::Rising : InterruptEvent::Kind::Falling, *input, 0};
+    }
+
     ResolvedStatement statement(const Statement& statement)
     {
         ResolvedStatement out;
@@ -118,6 +166,8 @@ private:
     {
         const Instruction& instruction = *out.instruction;
         std::vector<const Operand*> atPin(instruction.pins.size(), nullptr);
+        const bool hasArguments = !instruction.pins.empty() && instruction.pins.back().kind == PinKind::Arguments;
+        std::vector<const Operand*> arguments;
         std::size_t next = 0, extra = 0;
         for (const Operand& operand : statement.operands) {
             std::size_t pin = next;
@@ -127,6 +177,10 @@ private:
                     continue;
             } else {
                 ++next;
+            }
+            if (hasArguments && operand.pin.empty() && pin + 1 >= instruction.pins.size()) {
+                arguments.push_back(&operand);
+                continue;
             }
             if (pin >= instruction.pins.size() || instruction.pins[pin].kind == PinKind::Arguments) {
                 ++extra;
@@ -143,6 +197,35 @@ private:
         for (std::size_t i = 0; i < instruction.pins.size(); ++i)
             if (instruction.pins[i].kind != PinKind::Arguments)
                 out.operands.push_back(operand(statement, instruction.pins[i], atPin[i], out));
+        if (hasArguments && out.isComplete)
+            placeArguments(statement, arguments, out);
+    }
+
+    /// TS-SBR-04: as many as the subroutine's table has, in its order, temporary variables left out.
+    void placeArguments(const Statement& statement, const std::vector<const Operand*>& written, ResolvedStatement& out)
+    {
+        const auto* name = std::get_if<ResolvedProgramName>(&out.operands.front().value);
+        const KnownProgram* program = name ? m_context.findProgram(name->name) : nullptr;
+        if (!program)
+            return;
+        std::vector<const Pin*> pins;
+        std::string names;
+        for (const KnownParameter& parameter : program->parameters)
+            if (parameter.kind != ParameterKind::Temp) {
+                pins.push_back(&parameter.pin);
+                names += (names.empty() ? "" : " ") + parameter.variable.name;
+            }
+        if (pins.size() == written.size()) {
+            for (std::size_t i = 0; i < pins.size(); ++i)
+                out.operands.push_back(operand(statement, *pins[i], written[i], out));
+            return;
+        }
+        const TextRange& range = written.size() > pins.size() ? written[pins.size()]->range : statement.range;
+        if (pins.empty())
+            m_sink.add(Code::NoParameters, range, {program->name});
+        else
+            m_sink.add(Code::CallArguments, range, {program->name, std::to_string(pins.size()), std::to_string(written.size()), shortened(names, 120)});
+        out.isComplete = false;
     }
 
     std::size_t pinIndex(const Instruction& instruction, const Operand& operand, ResolvedStatement& out)
@@ -163,12 +246,8 @@ private:
     {
         const Instruction& instruction = *out.instruction;
         const TextRange& range = statement.operands[statement.operands.size() - extra].range;
-        const bool isCall = std::any_of(instruction.pins.begin(), instruction.pins.end(), [](const Pin& pin) { return pin.kind == PinKind::Arguments; });
-        if (isCall)
-            m_sink.add(Code::NoParameters, range, {shortened(statement.operands.front().text)});
-        else
-            m_sink.add(Code::TooManyOperands, range, {instruction.mnemonic, std::to_string(instruction.pins.size()),
-                std::to_string(statement.operands.size()), signature(*m_context.dialect, instruction)});
+        m_sink.add(Code::TooManyOperands, range, {instruction.mnemonic, std::to_string(instruction.pins.size()),
+            std::to_string(statement.operands.size()), signature(*m_context.dialect, instruction)});
         out.isComplete = false;
     }
 
@@ -214,6 +293,10 @@ private:
     {
         if (pin.kind == PinKind::Program)
             return programName(operand);
+        if (pin.kind == PinKind::Interrupt)
+            return interruptName(operand);
+        if (pin.kind == PinKind::Label)
+            return label(operand);
         if (pin.kind == PinKind::Axis)
             return axis(operand);
         const TokenKind form = operandForm(*m_context.dialect, operand.text);
@@ -258,7 +341,7 @@ private:
     {
         auto address = m_family.parseAddress(operand.text, *m_context.model);
         if (address)
-            return ResolvedMemory{*address, nullptr};
+            return ResolvedMemory{*address, nullptr, nullptr, {}};
         addMoved(std::move(address).error(), operand);
         return std::nullopt;
     }
@@ -278,11 +361,87 @@ private:
         m_sink.add(std::move(diagnostic));
     }
 
+    /// An array and what stands in its brackets; nothing if the text is not of that form.
+    struct Subscripted {
+        const KnownVariable* array = nullptr;
+        std::string_view subscript;
+    };
+    std::optional<Subscripted> subscripted(std::string_view text) const
+    {
+        const std::size_t bracket = text.find('[');
+        if (bracket == std::string_view::npos || !text.ends_with(']'))
+            return std::nullopt;
+        const KnownVariable* array = m_context.findVariable(text.substr(0, bracket));
+        if (!array || array->elements == 0 || !array->address)
+            return std::nullopt;
+        return Subscripted{array, text.substr(bracket + 1, text.size() - bracket - 2)};
+    }
+
+    /// The element a constant subscript names, inside the array.
+    static std::optional<Address> constantElement(const Subscripted& written)
+    {
+        std::uint32_t number = 0;
+        const char* end = written.subscript.data() + written.subscript.size();
+        const auto read = std::from_chars(written.subscript.data(), end, number);
+        if (read.ec != std::errc{} || read.ptr != end || number >= written.array->elements)
+            return std::nullopt;
+        Address out = *written.array->address;
+        out.byte += number * byteWidth(written.array->type);
+        return out;
+    }
+
+    /// array[3], array[index], array[index[5]] (TS-IDX-01 … 05). The index is an INT or DINT variable, no soft element.
+    std::optional<ResolvedValue> element(const Operand& operand)
+    {
+        const auto written = subscripted(operand.text);
+        if (!written) {
+            m_sink.add(Code::UnknownName, operand.range, {shortened(operand.text)});
+            return std::nullopt;
+        }
+        const bool isConstant = !written->subscript.empty() && std::all_of(written->subscript.begin(), written->subscript.end(), isDigit);
+        if (isConstant) {
+            if (const auto address = constantElement(*written))
+                return ResolvedMemory{*address, written->array, nullptr, {}};
+            m_sink.add(Code::SubscriptOutOfRange, operand.range, {std::string(written->subscript), written->array->name,
+                std::to_string(written->array->elements - 1)});
+            return std::nullopt;
+        }
+        const KnownVariable* index = m_context.findVariable(written->subscript);
+        std::optional<Address> place = index && index->elements == 0 ? index->address : std::nullopt;
+        if (const auto inner = subscripted(written->subscript)) {
+            index = inner->array;
+            place = constantElement(*inner);
+        }
+        if (place && (index->type == DataType::Int || index->type == DataType::Dint))
+            return ResolvedMemory{*written->array->address, written->array, index, *place};
+        m_sink.add(Code::BadSubscript, operand.range, {shortened(written->subscript)});
+        return std::nullopt;
+    }
+
+    /// A variable of the program's own table: IN1, or as the manual writes it #IN1 (TS-IL-03).
+    const KnownVariable* local(std::string_view text) const
+    {
+        if (text.starts_with('#'))
+            text = trimmed(text.substr(1));
+        for (const KnownParameter& parameter : *m_locals)
+            if (parameter.variable.name == text)
+                return &parameter.variable;
+        return nullptr;
+    }
+
     std::optional<ResolvedValue> symbol(const Operand& operand)
     {
+        if (const KnownVariable* variable = local(operand.text))
+            return ResolvedMemory{*variable->address, variable, nullptr, {}};
+        if (operand.text.find('[') != std::string::npos)
+            return element(operand);
         if (const KnownVariable* variable = m_context.findVariable(operand.text)) {
+            if (variable->elements > 0) {
+                m_sink.add(Code::ArrayNeedsSubscript, operand.range, {shortened(operand.text)});
+                return std::nullopt;
+            }
             if (variable->address)
-                return ResolvedMemory{*variable->address, variable};
+                return ResolvedMemory{*variable->address, variable, nullptr, {}};
             m_sink.add(Code::VariableWithoutAddress, operand.range, {variable->name});
             m_sink.relate(variable->place);
             return std::nullopt;
@@ -314,8 +473,12 @@ private:
         if (!program && m_context.dialect->id == DialectId::KoyoIl)
             program = m_context.findSubroutine(upperCase(operand.text));
         const std::string shown = shortened(operand.text);
-        if (program && program->role == ProgramRole::Subroutine)
-            return ResolvedProgramName{program->name};
+        if (program && program->role == ProgramRole::Subroutine) {
+            if (m_role != ProgramRole::Interrupt || m_family.id() != "invt")
+                return ResolvedProgramName{program->name};
+            m_sink.add(Code::CallInInterrupt, operand.range, {m_context.model->name, shown}); // TS-SBR-05
+            return std::nullopt;
+        }
         if (program) {
             m_sink.add(Code::NotASubroutine, operand.range, {shown});
             return std::nullopt;
@@ -328,6 +491,25 @@ private:
             m_sink.add(Code::UnknownSubroutineNear, operand.range, {shown, near});
         else
             m_sink.add(Code::UnknownSubroutine, operand.range, {shown});
+        return std::nullopt;
+    }
+
+    std::optional<ResolvedValue> interruptName(const Operand& operand)
+    {
+        const KnownProgram* program = m_context.findProgram(operand.text);
+        if (program && program->role == ProgramRole::Interrupt)
+            return ResolvedProgramName{program->name};
+        m_sink.add(Code::NotAnInterrupt, operand.range, {shortened(operand.text)});
+        return std::nullopt;
+    }
+
+    std::optional<ResolvedValue> label(const Operand& operand)
+    {
+        const TokenKind form = operandForm(*m_context.dialect, operand.text);
+        const bool isNumber = std::all_of(operand.text.begin(), operand.text.end(), isDigit);
+        if (form == TokenKind::Symbol || isNumber)
+            return ResolvedLabel{upperCase(operand.text)};
+        m_sink.add(Code::UnknownLabel, operand.range, {shortened(operand.text)});
         return std::nullopt;
     }
 
@@ -349,6 +531,8 @@ private:
     const LanguageContext& m_context;
     const Family& m_family;
     DiagnosticSink m_sink;
+    ProgramRole m_role;
+    std::shared_ptr<const std::vector<KnownParameter>> m_locals = std::make_shared<const std::vector<KnownParameter>>();
     bool m_complete = true;
     unsigned m_nearSearches = 0;
 };
@@ -357,8 +541,9 @@ private:
 
 ResolvedProgram resolve(const ParsedProgram& program, ProgramRole role, const LanguageContext& context, Diagnostics& diagnostics)
 {
-    ResolvedProgram out{program.object, role, program.dialect, {}, !hasErrors(program.diagnostics)};
-    Resolver resolver(context, program.object, diagnostics);
+    ResolvedProgram out{program.object, role, program.dialect, {}, !hasErrors(program.diagnostics), {}, {}};
+    Resolver resolver(context, program.object, role, diagnostics);
+    resolver.declarations(program.declarations, out);
     for (const ParsedNetwork& network : program.networks) {
         ResolvedNetwork resolved{network.number, {}, network.range};
         for (const ParsedRung& rung : network.rungs)

@@ -6,6 +6,8 @@
 #include "core/language/source/ilparser.h"
 
 #include <cstdint>
+#include <memory>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -16,14 +18,22 @@ namespace camwright {
 struct ResolvedMemory {
     Address address;
     const KnownVariable* variable = nullptr; ///< of the context; null for an address
+    /// The variable that chooses the element of an array (TS-IDX-01); `address` is then the first element. Of the context.
+    const KnownVariable* index = nullptr;
+    Address indexAddress{};                  ///< where the index lies, an element of an array included
 };
 
 struct ResolvedProgramName {
     std::string name;
 };
 
+/// A label of the same program, in upper case.
+struct ResolvedLabel {
+    std::string name;
+};
+
 /// What stands at a pin. monostate: an optional pin left empty.
-using ResolvedValue = std::variant<std::monostate, ResolvedMemory, Literal, ResolvedProgramName>;
+using ResolvedValue = std::variant<std::monostate, ResolvedMemory, Literal, ResolvedProgramName, ResolvedLabel>;
 
 struct ResolvedOperand {
     const Pin* pin = nullptr; ///< never null
@@ -37,7 +47,7 @@ struct ResolvedStatement {
     StatementRole role = StatementRole::Block;
     ContactForm form = ContactForm::None;
     const Instruction* instruction = nullptr; ///< null only where it is not complete
-    std::vector<ResolvedOperand> operands;    ///< one for each pin, in the catalogue's order
+    std::vector<ResolvedOperand> operands;    ///< one for each pin, in the catalogue's order; then the arguments of a CALL
     bool isComplete = true;
     TextRange range;
 };
@@ -55,6 +65,14 @@ struct ResolvedNetwork {
     TextRange range;
 };
 
+/// The event of an interrupt routine (TS-INT-01 … 03).
+struct InterruptEvent {
+    enum class Kind : std::uint8_t { Timed, Rising, Falling };
+    Kind kind = Kind::Timed;
+    Address input;                  ///< Rising, Falling
+    std::uint32_t milliseconds = 0; ///< Timed: 1 … 1000
+};
+
 /// A program whose mnemonics, addresses, names and pins are known. Refers to the context it was made with.
 struct ResolvedProgram {
     ObjectKey key;
@@ -62,6 +80,9 @@ struct ResolvedProgram {
     DialectId dialect = DialectId::KincoIl;
     std::vector<ResolvedNetwork> networks;
     bool isComplete = true; ///< false if text or words had an error
+    /// The variables of its own table. Operands point to them, so they stay where they are.
+    std::shared_ptr<const std::vector<KnownParameter>> parameters{};
+    std::optional<InterruptEvent> event{};
 };
 
 /// Looks up every word. What is wrong is added to `diagnostics`, at most MaximumDiagnostics.

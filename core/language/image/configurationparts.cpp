@@ -6,6 +6,7 @@ namespace camwright {
 namespace {
 
 constexpr std::string_view AxisPrefix = "axis ";
+constexpr std::string_view InterruptsName = "interrupts";
 
 ImagePart controllerPart(const Configuration& configuration)
 {
@@ -43,6 +44,30 @@ ImagePart axisPart(const AxisConfiguration& axis)
     return {ImageSection::Configuration, std::string(AxisPrefix) + axis.name, writer.take()};
 }
 
+ImagePart interruptsPart(const std::vector<InterruptSource>& interrupts)
+{
+    ByteWriter writer;
+    putList(writer, interrupts, [&](const InterruptSource& source) {
+        putVar(writer, source.routine);
+        writer.put(source.cause);
+        put(writer, source.input);
+        writer.put(source.period.count());
+    });
+    return {ImageSection::Configuration, std::string(InterruptsName), writer.take()};
+}
+
+std::vector<InterruptSource> getInterrupts(ByteReader& reader)
+{
+    return getList(reader, [&] {
+        InterruptSource source;
+        source.routine = getVar(reader);
+        source.cause = reader.get<InterruptCause>();
+        source.input = getAddress(reader);
+        source.period = Time(reader.get<std::int64_t>());
+        return source;
+    });
+}
+
 AxisConfiguration getAxis(ByteReader& reader)
 {
     AxisConfiguration axis;
@@ -69,6 +94,8 @@ std::vector<ImagePart> configurationParts(const Configuration& configuration)
     std::vector<ImagePart> parts{controllerPart(configuration), networkPart(configuration.network)};
     for (const AxisConfiguration& axis : configuration.axes)
         parts.push_back(axisPart(axis));
+    if (!configuration.interrupts.empty())
+        parts.push_back(interruptsPart(configuration.interrupts));
     return parts;
 }
 
@@ -86,6 +113,8 @@ bool readConfigurationPart(const ImagePart& part, Configuration& configuration)
         AxisConfiguration axis = getAxis(reader);
         axis.name = part.name.substr(AxisPrefix.size());
         configuration.axes.push_back(std::move(axis));
+    } else if (part.name == InterruptsName) {
+        configuration.interrupts = getInterrupts(reader);
     } else {
         return false;
     }

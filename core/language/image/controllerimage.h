@@ -79,11 +79,25 @@ struct NetworkConfiguration {
     bool operator==(const NetworkConfiguration&) const = default;
 };
 
+/// What starts an interrupt routine.
+enum class InterruptCause : std::uint8_t { Timed = 0, Rising = 1, Falling = 2 };
+
+/// The event of an interrupt routine that the project gives it (TS-INT-01). Kinco programs attach theirs while they run.
+struct InterruptSource {
+    std::uint32_t routine = 0;      ///< index into the program's routines
+    InterruptCause cause = InterruptCause::Timed;
+    Address input;                  ///< Rising, Falling: a bit
+    Time period{};                  ///< Timed
+
+    bool operator==(const InterruptSource&) const = default;
+};
+
 struct Configuration {
     Time scanPeriod{};              ///< zero: free-running
     Time watchdog{};
     NetworkConfiguration network;
     std::vector<AxisConfiguration> axes; ///< by number
+    std::vector<InterruptSource> interrupts{};
 
     bool operator==(const Configuration&) const = default;
 };

@@ -98,6 +98,21 @@ Result<void> verifyNames(const IrProgram& program)
     return {};
 }
 
+/// Every interrupt has a routine of its own kind and something that can start it.
+Result<void> verifyInterrupts(const ControllerImage& image, const AreaSizes& sizes)
+{
+    for (const InterruptSource& source : image.configuration.interrupts) {
+        const auto& routines = image.program.routines;
+        if (source.routine >= routines.size() || routines[source.routine].kind != RoutineKind::Interrupt)
+            return unsafe("an event starts what is no interrupt routine");
+        const bool isTimed = source.cause == InterruptCause::Timed;
+        const bool hasInput = source.input.isBit && fits(sizes, source.input);
+        if (source.cause > InterruptCause::Falling || (isTimed ? source.period < 1ms : !hasInput))
+            return unsafe("an interrupt has an event that cannot come");
+    }
+    return {};
+}
+
 } // namespace
 
 Result<void> verify(const ControllerImage& image)
@@ -106,7 +121,8 @@ Result<void> verify(const ControllerImage& image)
     if (!sizes)
         return sizes.error();
     for (Result<void> part : {verifyLayout(image.layout, *sizes), verifySymbols(image.symbols, *sizes),
-                              verifyConfiguration(image.configuration), verifyNames(image.program)}) {
+                              verifyConfiguration(image.configuration), verifyNames(image.program),
+                              verifyInterrupts(image, *sizes)}) {
         if (!part)
             return part;
     }

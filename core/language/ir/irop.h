@@ -67,7 +67,7 @@ enum class IrOp : std::uint8_t {
     Element = 103,     ///< dest (pointer) := pointer a + index b * stride. `constant`: stride, bytes from there
     LoadAt = 104,      ///< dest := memory at pointer a + `address.byte`; the area is VariablesArea
     StoreAt = 105,     ///< memory at pointer b + `address.byte` := a
-    LoadElement = 106, ///< dest := memory at `address` + index b * `constant`. In VariablesArea or InstanceArea
+    LoadElement = 106, ///< dest := memory at `address` + index b * `constant`
     StoreElement = 107,///< memory at `address` + index b * `constant` := a
     Move = 108,        ///< `constant` bytes at pointer a := those at pointer b, as if through a copy
     Now = 110,         ///< dest (LINT) := the controller's time in ns at which the scan runs

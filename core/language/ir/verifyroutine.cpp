@@ -114,7 +114,7 @@ private:
         case IrOp::StoreAt: return isThroughPointer(i, i.b) ? nullptr : "pointer does not reach the value";
         case IrOp::LoadElement:
         case IrOp::StoreElement:
-            return isWhole(i) && isComputable(i, lastByte(i.b, i.constant, byteWidth(i.type))) ? nullptr : "element outside its area";
+            return isWhole(i) && hasElements(i, lastByte(i.b, i.constant, byteWidth(i.type))) ? nullptr : "element outside its area";
         case IrOp::Move: return reaches(i.a, i.constant) && reaches(i.b, i.constant) ? nullptr : "move beyond what its pointers reach";
         default:
             if (shape.address && i.address.area == InstanceArea && !isWhole(i))
@@ -139,6 +139,9 @@ private:
         const bool area = i.address.area == VariablesArea || i.address.area == InstanceArea;
         return area && isWhole(i) && bytes <= UINT32_MAX && fits(m_areas, i.address, bytes);
     }
+
+    /// Elements may lie in any area: an array of the TS600 is bound to words or bits.
+    bool hasElements(const IrInstruction& i, std::uint64_t bytes) const { return bytes <= UINT32_MAX && fits(m_areas, i.address, bytes); }
 
     bool isThroughPointer(const IrInstruction& i, IrRegister pointer) const
     {

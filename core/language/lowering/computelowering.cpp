@@ -1,10 +1,12 @@
 #include "core/language/lowering/routinelowering.h"
 
+#include <algorithm>
+
 namespace camwright {
 
 namespace {
 
-enum class Form : std::uint8_t { None, Move, Unary, Binary, Conversion, Step, Shift, Division };
+enum class Form : std::uint8_t { None, Move, Unary, Binary, Conversion, Step, Shift, Division, Swap, Exchange };
 
 struct Rule {
     Form form = Form::None;
@@ -30,14 +32,25 @@ Rule arithmeticRule(InstructionId id)
     case InstructionId::InvtDiv:
     case InstructionId::InvtDdiv:
     case InstructionId::InvtRdiv: return {Form::Division, IrOp::Div};
-    case InstructionId::KincoMod: return {Form::Division, IrOp::Mod};
+    case InstructionId::KincoMod:
+    case InstructionId::InvtMod:
+    case InstructionId::InvtDmod: return {Form::Division, IrOp::Mod};
     case InstructionId::KincoInc:
     case InstructionId::InvtInc:
     case InstructionId::InvtDinc: return {Form::Step, IrOp::Add};
     case InstructionId::KincoDec:
     case InstructionId::InvtDec:
     case InstructionId::InvtDdec: return {Form::Step, IrOp::Sub};
-    case InstructionId::KincoAbs: return {Form::Unary, IrOp::Abs};
+    case InstructionId::KincoAbs:
+    case InstructionId::InvtVabs:
+    case InstructionId::InvtDvabs:
+    case InstructionId::InvtRabs: return {Form::Unary, IrOp::Abs};
+    case InstructionId::KincoNeg:
+    case InstructionId::InvtNeg:
+    case InstructionId::InvtDneg:
+    case InstructionId::InvtRneg: return {Form::Unary, IrOp::Neg};
+    case InstructionId::KincoSqrt:
+    case InstructionId::InvtRsqt: return {Form::Unary, IrOp::Sqrt};
     default: return {};
     }
 }
@@ -47,20 +60,36 @@ Rule bitsRule(InstructionId id)
     switch (id) {
     case InstructionId::KincoAndByte:
     case InstructionId::KincoAndWord:
-    case InstructionId::KincoAndDword: return {Form::Binary, IrOp::And};
+    case InstructionId::KincoAndDword:
+    case InstructionId::InvtWAnd:
+    case InstructionId::InvtDwAnd: return {Form::Binary, IrOp::And};
     case InstructionId::KincoOrByte:
     case InstructionId::KincoOrWord:
-    case InstructionId::KincoOrDword: return {Form::Binary, IrOp::Or};
+    case InstructionId::KincoOrDword:
+    case InstructionId::InvtWOr:
+    case InstructionId::InvtDwOr: return {Form::Binary, IrOp::Or};
     case InstructionId::KincoXorByte:
     case InstructionId::KincoXorWord:
-    case InstructionId::KincoXorDword: return {Form::Binary, IrOp::Xor};
+    case InstructionId::KincoXorDword:
+    case InstructionId::InvtWXor:
+    case InstructionId::InvtDwXor: return {Form::Binary, IrOp::Xor};
     case InstructionId::KincoInvByte:
     case InstructionId::KincoInvWord:
-    case InstructionId::KincoInvDword: return {Form::Unary, IrOp::Not};
-    case InstructionId::KincoShl: return {Form::Shift, IrOp::ShiftLeft};
-    case InstructionId::KincoShr: return {Form::Shift, IrOp::ShiftRight};
-    case InstructionId::KincoRol: return {Form::Shift, IrOp::RotateLeft};
-    case InstructionId::KincoRor: return {Form::Shift, IrOp::RotateRight};
+    case InstructionId::KincoInvDword:
+    case InstructionId::InvtWInv:
+    case InstructionId::InvtDwInv: return {Form::Unary, IrOp::Not};
+    case InstructionId::KincoShl:
+    case InstructionId::InvtShl:
+    case InstructionId::InvtDshl: return {Form::Shift, IrOp::ShiftLeft};
+    case InstructionId::KincoShr:
+    case InstructionId::InvtShr:
+    case InstructionId::InvtDshr: return {Form::Shift, IrOp::ShiftRight};
+    case InstructionId::KincoRol:
+    case InstructionId::InvtRol:
+    case InstructionId::InvtDrol: return {Form::Shift, IrOp::RotateLeft};
+    case InstructionId::KincoRor:
+    case InstructionId::InvtRor:
+    case InstructionId::InvtDror: return {Form::Shift, IrOp::RotateRight};
     default: return {};
     }
 }
@@ -77,7 +106,18 @@ Rule ruleOf(InstructionId id)
     case InstructionId::KincoDiToR:
     case InstructionId::KincoRToDi:
     case InstructionId::KincoBToI:
-    case InstructionId::KincoIToB: return {Form::Conversion, IrOp::Convert};
+    case InstructionId::KincoIToB:
+    case InstructionId::InvtItd:
+    case InstructionId::InvtDti:
+    case InstructionId::InvtFlt:
+    case InstructionId::InvtDflt: return {Form::Conversion, IrOp::Convert};
+    case InstructionId::KincoTrunc:
+    case InstructionId::InvtInt:
+    case InstructionId::InvtDint: return {Form::Conversion, IrOp::Truncate};
+    case InstructionId::KincoSwap:
+    case InstructionId::InvtSwap: return {Form::Swap, IrOp::RotateLeft};
+    case InstructionId::InvtXch:
+    case InstructionId::InvtDxch: return {Form::Exchange, IrOp::Nop};
     default: break;
     }
     const Rule rule = arithmeticRule(id);
@@ -96,7 +136,9 @@ bool RoutineLowering::lowerComputing(const CheckedStatement& statement)
     case Form::Move: lowerMove(statement); break;
     case Form::Unary: lowerUnary(statement, rule.op); break;
     case Form::Binary: lowerBinary(statement, rule.op); break;
-    case Form::Conversion: lowerConversion(statement); break;
+    case Form::Conversion: lowerConversion(statement, rule.op); break;
+    case Form::Swap: lowerSwap(statement); break;
+    case Form::Exchange: lowerExchange(statement); break;
     case Form::Step: lowerStep(statement, rule.op); break;
     case Form::Shift: lowerShift(statement, rule.op); break;
     case Form::Division: lowerDivision(statement, rule.op); break;
@@ -140,11 +182,28 @@ void RoutineLowering::lowerDivision(const CheckedStatement& statement, IrOp op)
     m_ir.land(skip);
 }
 
-void RoutineLowering::lowerConversion(const CheckedStatement& statement)
+void RoutineLowering::lowerConversion(const CheckedStatement& statement, IrOp op)
 {
     const DataType from = typeOf(statement.operands[0]);
     const DataType to = typeOf(statement.operands[1]);
-    write(statement.operands[1], to, m_ir.convert(IrOp::Convert, from, to, read(statement.operands[0], from)));
+    write(statement.operands[1], to, m_ir.convert(op, from, to, read(statement.operands[0], from)));
+}
+
+/// The two halves of a value change places.
+void RoutineLowering::lowerSwap(const CheckedStatement& statement)
+{
+    const DataType type = typeOf(statement.operands[0]);
+    const IrRegister half = m_ir.constant(DataType::Dword, bitWidth(type) / 2);
+    write(statement.operands[0], type, m_ir.compute(IrOp::RotateLeft, type, read(statement.operands[0], type), half));
+}
+
+void RoutineLowering::lowerExchange(const CheckedStatement& statement)
+{
+    const DataType type = commonType(statement);
+    const IrRegister first = read(statement.operands[0], type);
+    const IrRegister second = read(statement.operands[1], type);
+    write(statement.operands[0], type, second);
+    write(statement.operands[1], type, first);
 }
 
 void RoutineLowering::lowerStep(const CheckedStatement& statement, IrOp op)
@@ -160,7 +219,8 @@ void RoutineLowering::lowerShift(const CheckedStatement& statement, IrOp op)
     const CheckedOperand& count = *operandAt(statement, "N");
     const IrRegister value = read(statement.operands[0], type);
     const IrRegister by = m_ir.convert(IrOp::Convert, typeOf(count), DataType::Dword, read(count, typeOf(count)));
-    write(statement.operands.back(), type, m_ir.compute(op, type, value, by));
+    const CheckedOperand& result = *std::ranges::find_if(statement.operands, [](const CheckedOperand& o) { return o.pin->direction == PinDirection::Out; });
+    write(result, type, m_ir.compute(op, type, value, by));
 }
 
 } // namespace camwright

@@ -16,6 +16,7 @@ bool RoutineLowering::lowerElement(const CheckedStatement& statement)
     case InstructionId::KincoCtd: lowerCounter(statement, CounterKind::Down); return true;
     case InstructionId::KincoCtud: lowerCounter(statement, CounterKind::UpDown); return true;
     case InstructionId::InvtCtu: lowerCounter(statement, CounterKind::T600Up); return true;
+    case InstructionId::InvtCtr: lowerCyclicCounter(statement); return true;
     case InstructionId::InvtCtud: lowerCounter(statement, CounterKind::T600UpDown); return true;
     default: return false;
     }
@@ -50,6 +51,24 @@ void RoutineLowering::lowerCounter(const CheckedStatement& statement, CounterKin
         output = lowerCounterExtras(statement, counter, input("LD"), preset);
     if (statement.instruction->crEffect == CrEffect::Replaces)
         m_flow = output;
+}
+
+/// CTR counts up like CTU; the edge after the one that reached the preset begins again with 1.
+void RoutineLowering::lowerCyclicCounter(const CheckedStatement& statement)
+{
+    const std::uint32_t counter = m_context.elements.counter(CounterKind::T600Up, *addressOf(statement.operands[0]));
+    const IrCounter& element = m_context.elements.counterAt(counter);
+    const IrRegister edge = m_ir.element(IrOp::RisingEdge, DataType::Bool, m_context.elements.edge(), flow());
+    const std::size_t skip = m_ir.jumpIf(false, edge);
+    const IrRegister zero = m_ir.constant(DataType::Int, 0);
+    const IrRegister value = m_ir.load(DataType::Int, element.value);
+    const IrRegister wasFull = m_ir.load(DataType::Bool, element.bit);
+    const IrRegister base = m_ir.select(DataType::Int, wasFull, zero, value);
+    const IrRegister next = m_ir.compute(IrOp::Add, DataType::Int, base, m_ir.constant(DataType::Int, 1));
+    m_ir.store(DataType::Int, element.value, next);
+    const IrRegister preset = read(*operandAt(statement, "S"), DataType::Int);
+    m_ir.store(DataType::Bool, element.bit, m_ir.compute(IrOp::GreaterEqual, DataType::Int, next, preset));
+    m_ir.land(skip);
 }
 
 /// CTUD of Kinco: LD loads the preset, unless R resets; QD tells a value of 0 or less. Returns the counter bit.

@@ -72,6 +72,14 @@ std::uint32_t ElementTables::counter(CounterKind kind, const Address& element)
     return entry->second;
 }
 
+IrAddress ElementTables::work(DataType type)
+{
+    const std::uint32_t width = byteWidth(type);
+    const std::uint32_t at = (m_variableBytes + width - 1) / width * width;
+    m_variableBytes = at + width;
+    return {VariablesArea, IrAddress::WholeByte, at};
+}
+
 std::uint32_t ElementTables::edge()
 {
     return m_program.stateBytes++;

@@ -16,7 +16,11 @@ IrAddress irAddress(const Family& family, const Address& address);
 /// one state however many instructions name it.
 class ElementTables {
 public:
-    ElementTables(const Family& family, IrProgram& program) : m_family(family), m_program(program) {}
+    /// `variableBytes`: of VariablesArea, of which what comes behind is free.
+    ElementTables(const Family& family, IrProgram& program, std::uint32_t variableBytes)
+        : m_family(family), m_program(program), m_variableBytes(variableBytes)
+    {
+    }
 
     /// Index of a timer of this kind on the element that `element` is the bit or value of.
     std::uint32_t timer(TimerKind kind, const Address& element);
@@ -25,6 +29,9 @@ public:
     const IrTimer& timerAt(std::uint32_t index) const { return m_program.timers[index]; }
     /// Number of a new FOR loop (Koyo).
     std::uint32_t loop() { return m_loops++; }
+    /// A place of its own behind the variables, which no text can name.
+    IrAddress work(DataType type);
+    std::uint32_t variableBytes() const { return m_variableBytes; }
     /// One byte of hidden state.
     std::uint32_t edge();
     /// Index of a new block, which is also its instance number.
@@ -45,6 +52,7 @@ private:
     const Family& m_family;
     std::uint32_t m_loops = 0;
     IrProgram& m_program;
+    std::uint32_t m_variableBytes;
     std::map<std::uint32_t, std::uint32_t> m_timerStates;   ///< element number to offset
     std::map<std::uint32_t, std::uint32_t> m_counterStates;
     std::map<std::pair<std::uint32_t, TimerKind>, std::uint32_t> m_timers;

@@ -55,6 +55,42 @@ IrRegister IrWriter::compute(IrOp op, DataType type, IrRegister a, IrRegister b)
     return define(instruction);
 }
 
+IrRegister IrWriter::select(DataType type, IrRegister condition, IrRegister a, IrRegister b)
+{
+    IrInstruction instruction = make(IrOp::Select, type);
+    instruction.a = condition;
+    instruction.b = a;
+    instruction.index = b;
+    return define(instruction);
+}
+
+IrRegister IrWriter::bound(IrRegister a, std::uint32_t count)
+{
+    IrInstruction instruction = make(IrOp::Bound, DataType::Dint);
+    instruction.a = a;
+    instruction.constant = irConstant(0, count);
+    return define(instruction);
+}
+
+IrRegister IrWriter::loadElement(DataType type, const IrAddress& address, IrRegister index, std::uint32_t stride)
+{
+    IrInstruction instruction = make(IrOp::LoadElement, type);
+    instruction.address = address;
+    instruction.b = index;
+    instruction.constant = stride;
+    return define(instruction);
+}
+
+void IrWriter::storeElement(DataType type, const IrAddress& address, IrRegister index, std::uint32_t stride, IrRegister value)
+{
+    IrInstruction instruction = make(IrOp::StoreElement, type);
+    instruction.address = address;
+    instruction.a = value;
+    instruction.b = index;
+    instruction.constant = stride;
+    m_routine.code.push_back(instruction);
+}
+
 IrRegister IrWriter::convert(IrOp op, DataType from, DataType type, IrRegister a)
 {
     IrInstruction instruction = make(op, type);
@@ -101,9 +137,20 @@ std::size_t IrWriter::jumpIf(bool sense, IrRegister condition)
     return m_routine.code.size() - 1;
 }
 
+std::size_t IrWriter::jump()
+{
+    control(IrOp::Jump);
+    return m_routine.code.size() - 1;
+}
+
 void IrWriter::land(std::size_t jump)
 {
-    m_routine.code[jump].index = static_cast<std::uint32_t>(m_routine.code.size());
+    land(jump, here());
+}
+
+void IrWriter::land(std::size_t jump, std::size_t target)
+{
+    m_routine.code[jump].index = static_cast<std::uint32_t>(target);
 }
 
 } // namespace camwright

@@ -19,6 +19,12 @@ public:
     IrRegister load(DataType type, const IrAddress& address);
     void store(DataType type, const IrAddress& address, IrRegister value);
     IrRegister compute(IrOp op, DataType type, IrRegister a, IrRegister b = NoRegister);
+    /// `a` if the condition holds, else `b`.
+    IrRegister select(DataType type, IrRegister condition, IrRegister a, IrRegister b);
+    /// An index: a (DINT) as it is, 0 … count - 1. Else the routine goes on where `land` puts the jump, which is this instruction.
+    IrRegister bound(IrRegister a, std::uint32_t count);
+    IrRegister loadElement(DataType type, const IrAddress& address, IrRegister index, std::uint32_t stride);
+    void storeElement(DataType type, const IrAddress& address, IrRegister index, std::uint32_t stride, IrRegister value);
     IrRegister convert(IrOp op, DataType from, DataType type, IrRegister a);
     /// An operation on an edge slot, a timer or a counter.
     IrRegister element(IrOp op, DataType type, std::uint32_t index, IrRegister a, IrRegister b = NoRegister);
@@ -30,7 +36,11 @@ public:
     std::uint32_t position() const;
     /// A jump whose target is still open; `land` puts it here.
     std::size_t jumpIf(bool sense, IrRegister condition);
+    std::size_t jump();
     void land(std::size_t jump);
+    void land(std::size_t jump, std::size_t target);
+    /// The instruction that comes next.
+    std::size_t here() const { return m_routine.code.size(); }
 
     /// An instruction with its operation, type and source filled in, for emit() and define().
     IrInstruction make(IrOp op, DataType type) const;

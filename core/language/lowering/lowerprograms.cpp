@@ -28,10 +28,19 @@ bool readsStack(const CheckedProgram& program)
     return false;
 }
 
+InterruptSource sourceOf(const InterruptEvent& event, std::uint32_t routine)
+{
+    using Kind = InterruptEvent::Kind;
+    if (event.kind == Kind::Timed)
+        return {routine, InterruptCause::Timed, {}, std::chrono::milliseconds(event.milliseconds)};
+    return {routine, event.kind == Kind::Rising ? InterruptCause::Rising : InterruptCause::Falling, event.input, {}};
+}
+
 class ProgramLinker {
 public:
-    ProgramLinker(const Family& family, const ControllerModel& model, std::span<const CheckedProgram> programs, std::span<const std::string> following)
-        : m_family(family), m_model(model), m_programs(programs), m_following(following), m_elements(family, m_out.program)
+    ProgramLinker(const Family& family, const ControllerModel& model, std::span<const CheckedProgram> programs, std::span<const std::string> following,
+                  std::uint32_t variableBytes)
+        : m_family(family), m_model(model), m_programs(programs), m_following(following), m_elements(family, m_out.program, variableBytes)
     {
         m_out.blocksWithLocals = programs.size();
         for (const CheckedProgram& program : programs) {
@@ -44,13 +53,19 @@ public:
     void lower(std::uint32_t index)
     {
         RoutineContext context{m_family, m_model, m_elements, index,
-                               [this](std::string_view name) { return routineByName(name); },
+                               [this](std::string_view name) { return routineByName(name); }, m_programs,
                                [this, index](std::uint32_t network, const TextRange& range) { return source(index, network, range); },
                                m_usesStack};
         RoutineLowering(context, m_out.program.routines[index]).lower(m_programs[index]);
+        if (m_programs[index].event)
+            m_out.interrupts.push_back(sourceOf(*m_programs[index].event, index));
     }
 
-    LoweredPrograms take() { return std::move(m_out); }
+    LoweredPrograms take()
+    {
+        m_out.variableBytes = m_elements.variableBytes();
+        return std::move(m_out);
+    }
 
 private:
     std::uint32_t routineByName(std::string_view name) const
@@ -80,9 +95,9 @@ private:
 } // namespace
 
 LoweredPrograms lowerPrograms(const Family& family, const ControllerModel& model, std::span<const CheckedProgram> programs,
-                              const Job& job, std::span<const std::string> following)
+                              const Job& job, std::span<const std::string> following, std::uint32_t variableBytes)
 {
-    ProgramLinker linker(family, model, programs, following);
+    ProgramLinker linker(family, model, programs, following, variableBytes);
     for (std::uint32_t i = 0; i < programs.size() && !job.isCancelled(); ++i)
         linker.lower(i);
     return linker.take();

@@ -42,35 +42,18 @@ void RoutineLowering::lowerBlock(const CheckedStatement& statement)
 {
     if (statement.form >= ContactForm::Equal)
         return combine(StatementRole::And, comparison(statement));
-    switch (statement.instruction->id) {
-    case InstructionId::KincoCal:
-    case InstructionId::KincoRet:
-    case InstructionId::KincoEnd:
-    case InstructionId::InvtCall:
-    case InstructionId::InvtCret:
-    case InstructionId::InvtEnd: return lowerControl(statement);
-    default: break;
-    }
+    if (lowerControl(statement))
+        return;
     if (lowerElement(statement) || lowerComputing(statement) || lowerKoyo(statement))
         return;
     lowerEngineBlock(statement);
 }
 
-void RoutineLowering::lowerControl(const CheckedStatement& statement)
-{
-    const InstructionId id = statement.instruction->id;
-    if (id == InstructionId::KincoEnd || id == InstructionId::InvtEnd)
-        return m_ir.control(IrOp::Return);
-    openGuard();
-    if (id == InstructionId::KincoRet || id == InstructionId::InvtCret)
-        return m_ir.control(IrOp::Return);
-    const auto& name = std::get<ProgramOperand>(statement.operands[0].value).name;
-    m_ir.control(IrOp::Call, m_context.routineByName(name));
-}
-
-/// Everything else is the engine's: it is called on every pass and sees EN, because EN falling means something there.
+/// Everything else is the engine's. Most is called on every pass and sees EN, because EN falling means something there.
 void RoutineLowering::lowerEngineBlock(const CheckedStatement& statement)
 {
+    if (statement.instruction->executes == Executes::OnFlow)
+        openGuard();
     std::vector<IrPin> pins;
     for (const CheckedOperand& operand : statement.operands)
         pins.push_back(pinOf(operand));

@@ -10,15 +10,15 @@ void RoutineLowering::lower(const CheckedProgram& program)
         m_network = network.number;
         for (const CheckedRung& rung : network.rungs) {
             m_isRungOpen = false;
-            m_flow = NoRegister;
-            m_loads.clear();
-            m_pushed.clear();
-            m_groups.clear();
+            beginFlowAnew();
             for (const CheckedStatement& statement : rung.statements)
                 lower(statement);
         }
     }
     closeGuard();
+    landJumps();
+    for (const std::size_t jump : m_ends)
+        m_ir.land(jump);
 }
 
 void RoutineLowering::lower(const CheckedStatement& statement)
@@ -56,11 +56,11 @@ void RoutineLowering::closeGuard()
 }
 
 /// Local memory is laid out routine behind routine: each has its own, as documented, without a stack at run time.
-IrAddress RoutineLowering::place(const Address& address) const
+IrAddress RoutineLowering::place(const Address& address, std::uint32_t routine) const
 {
     IrAddress out = m_context.elements.place(address);
     if (address.area != VariablesArea && m_context.family.area(address.area).local)
-        out.byte += m_context.routine * m_context.model.area(address.area).bytes;
+        out.byte += routine * m_context.model.area(address.area).bytes;
     return out;
 }
 
@@ -111,12 +111,16 @@ IrRegister RoutineLowering::read(const CheckedOperand& operand, DataType type)
 {
     if (const auto* constant = std::get_if<ConstantOperand>(&operand.value))
         return m_ir.constant(type, constant->value.bits);
+    if (const auto* array = std::get_if<AddressOperand>(&operand.value); array && array->elements > 0)
+        return readElement(*array, type);
     const Address* address = addressOf(operand);
     return address ? m_ir.load(type, place(*address)) : m_ir.constant(type, 0);
 }
 
 void RoutineLowering::write(const CheckedOperand& operand, DataType type, IrRegister value)
 {
+    if (const auto* array = std::get_if<AddressOperand>(&operand.value); array && array->elements > 0)
+        return writeElement(*array, type, value);
     if (const Address* address = addressOf(operand))
         m_ir.store(type, place(*address), value);
 }
@@ -124,6 +128,12 @@ void RoutineLowering::write(const CheckedOperand& operand, DataType type, IrRegi
 IrPin RoutineLowering::pinOf(const CheckedOperand& operand) const
 {
     IrPin pin;
+    if (const auto* routine = std::get_if<ProgramOperand>(&operand.value)) {
+        pin.kind = IrPin::Kind::Constant;
+        pin.type = DataType::Udint;
+        pin.constant = m_context.routineByName(routine->name);
+        return pin;
+    }
     pin.type = typeOf(operand);
     if (const Address* address = addressOf(operand)) {
         pin.kind = IrPin::Kind::Memory;

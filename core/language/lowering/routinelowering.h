@@ -6,6 +6,9 @@
 
 #include <cstdint>
 #include <functional>
+#include <map>
+#include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -18,6 +21,7 @@ struct RoutineContext {
     ElementTables& elements;
     std::uint32_t routine = 0;   ///< its index; local memory of routine n lies n area sizes further on
     std::function<std::uint32_t(std::string_view)> routineByName;
+    std::span<const CheckedProgram> programs; ///< by the index of their routine
     /// Gives a statement of a network its number in the debug map.
     std::function<std::uint32_t(std::uint32_t network, const TextRange&)> source;
     bool usesStack = false;      ///< Koyo: a program reads the stack of the accumulator
@@ -44,6 +48,14 @@ private:
         std::size_t exit = 0;    ///< jump behind NEXT, still open
     };
 
+    /// An open FOR: where it looks whether there is another pass, and the jump out of it.
+    struct ForLoop {
+        std::size_t head = 0;
+        std::size_t exit = 0;
+        std::size_t skip = 0;
+        const CheckedStatement* statement = nullptr;
+    };
+
     void lower(const CheckedStatement& statement);
     // Flow (flowlowering.cpp)
     void combine(StatementRole role, IrRegister contact);
@@ -56,22 +68,35 @@ private:
     void lowerOutput(const CheckedStatement& statement);
     void lowerReset(const CheckedStatement& statement);
     void lowerBlock(const CheckedStatement& statement);
-    void lowerControl(const CheckedStatement& statement);
     void lowerEngineBlock(const CheckedStatement& statement);
+    // Calls, jumps, loops (controllowering.cpp)
+    bool lowerControl(const CheckedStatement& statement);
+    void lowerReturn(const CheckedStatement& statement);
+    void lowerCall(const CheckedStatement& statement);
+    void lowerJump(const CheckedStatement& statement);
+    void lowerLabel(const CheckedStatement& statement);
+    void lowerFor(const CheckedStatement& statement);
+    void lowerCountedFor(const CheckedStatement& statement);
+    void lowerNext();
+    void landJumps();
+    void beginFlowAnew();
     // Timers and counters (elementlowering.cpp)
     bool lowerElement(const CheckedStatement& statement);
     void lowerTimer(const CheckedStatement& statement, TimerKind kind);
     void lowerCounter(const CheckedStatement& statement, CounterKind kind);
+    void lowerCyclicCounter(const CheckedStatement& statement);
     IrRegister lowerCounterExtras(const CheckedStatement& statement, std::uint32_t counter, IrRegister load, IrRegister preset);
     // Moves, arithmetic, conversions (computelowering.cpp)
     bool lowerComputing(const CheckedStatement& statement);
     void lowerMove(const CheckedStatement& statement);
     void lowerUnary(const CheckedStatement& statement, IrOp op);
     void lowerBinary(const CheckedStatement& statement, IrOp op);
-    void lowerConversion(const CheckedStatement& statement);
+    void lowerConversion(const CheckedStatement& statement, IrOp op);
     void lowerStep(const CheckedStatement& statement, IrOp op);
     void lowerShift(const CheckedStatement& statement, IrOp op);
     void lowerDivision(const CheckedStatement& statement, IrOp op);
+    void lowerSwap(const CheckedStatement& statement);
+    void lowerExchange(const CheckedStatement& statement);
 
     // Koyo (koyolowering.cpp)
     bool lowerKoyo(const CheckedStatement& statement);
@@ -89,7 +114,17 @@ private:
     void closeLoop();
 
     // Operands
-    IrAddress place(const Address& address) const;
+    IrAddress place(const Address& address) const { return place(address, m_context.routine); }
+    IrAddress place(const Address& address, std::uint32_t routine) const; ///< as that routine sees it
+    /// An array with a variable subscript, the number known to be inside.
+    struct Element {
+        IrRegister isInside = NoRegister;
+        IrRegister number = NoRegister;
+    };
+    Element elementOf(const AddressOperand& array);
+    IrRegister readElement(const AddressOperand& array, DataType type);
+    void writeElement(const AddressOperand& array, DataType type, IrRegister value);
+    void passArguments(const CheckedStatement& statement, std::uint32_t callee, bool before);
     IrRegister read(const CheckedOperand& operand, DataType type);
     void write(const CheckedOperand& operand, DataType type, IrRegister value);
     DataType commonType(const CheckedStatement& statement) const;
@@ -113,6 +148,10 @@ private:
     std::vector<Loop> m_loops;
     IrRegister m_guard = NoRegister;    ///< flow of the open guard
     std::size_t m_guardJump = 0;
+    std::vector<std::size_t> m_ends;    ///< jumps to the end of the routine that are never taken
+    std::vector<ForLoop> m_forLoops;
+    std::map<std::string, std::size_t, std::less<>> m_labels; ///< the instruction each stands before
+    std::vector<std::pair<std::size_t, std::string>> m_jumps; ///< whose label may still come
 };
 
 } // namespace camwright

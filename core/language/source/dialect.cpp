@@ -85,9 +85,9 @@ struct Position {
 };
 constexpr Position Positions[] = {{"LD", Load}, {"AND", And}, {"OR", Or}};
 
-constexpr char Widths[] = {' ', 'D'};
+constexpr char Widths[] = {' ', 'D', 'R'};
 
-/// All TS600 comparisons: LD= … ORD<=, in a fixed order, as text that outlives every view of it.
+/// All TS600 comparisons: LD= … ORR<=, in a fixed order, as text that outlives every view of it.
 constexpr std::size_t ComparisonCount = std::size(Positions) * std::size(Widths) * std::size(Comparisons);
 
 std::size_t comparisonIndex(std::size_t position, std::size_t width, std::size_t sign)
@@ -175,6 +175,12 @@ std::string_view Dialect::contactMnemonic(StatementRole position, ContactForm fo
                 if (Positions[p].role == position && Widths[w] == width && Comparisons[s].form == form)
                     return comparisonNames()[comparisonIndex(p, w, s)];
     return {};
+}
+
+bool Dialect::standsAlone(std::string_view mnemonic)
+{
+    const std::string name = mnemonic.size() <= 4 ? upper(mnemonic) : std::string();
+    return name == "LBL" || name == "NEXT";
 }
 
 std::string_view Dialect::structureMnemonic(StatementRole role) const

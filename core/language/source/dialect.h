@@ -39,7 +39,7 @@ struct MnemonicShape {
     StatementRole role = StatementRole::Block;
     ContactForm form = ContactForm::None;
     DialectId dialect = DialectId::KincoIl;
-    /// Width letter inside a TS600 comparison: ' ' for INT ("LD="), 'D' for DINT ("LDD=").
+    /// Width letter inside a TS600 comparison: ' ' for INT ("LD="), 'D' for DINT ("LDD="), 'R' for REAL ("LDR=").
     char width = ' ';
 
     bool operator==(const MnemonicShape&) const = default;
@@ -59,6 +59,8 @@ struct Dialect {
     /// The mnemonic a contact or comparison has at a place of the rung ("LDN" for Load and NormallyClosed); empty when
     /// the dialect has none. `width` as in MnemonicShape.
     std::string_view contactMnemonic(StatementRole position, ContactForm form, char width = ' ') const;
+    /// Whether a block needs no flow in front of it: LBL and NEXT, which begin the flow anew behind them.
+    static bool standsAlone(std::string_view mnemonic);
     /// The mnemonic of ANB, ORB, MPS, MRD, MPP, AND(, OR(, ); empty when the dialect has none.
     std::string_view structureMnemonic(StatementRole role) const;
 };

@@ -25,7 +25,7 @@ struct Line {
 class IlParser {
 public:
     IlParser(const Dialect& dialect, std::string_view text, const ObjectKey& object)
-        : m_dialect(dialect), m_text(text), m_sink(m_program.diagnostics, object), m_reader(dialect, m_sink)
+        : m_dialect(dialect), m_text(text), m_sink(m_program.diagnostics, object), m_reader(dialect, m_sink), m_declarations(dialect, m_program.declarations, &m_sink)
     {
         m_program.dialect = dialect.id;
         m_program.object = object;
@@ -81,12 +81,28 @@ private:
         m_state = tokenizeLine(m_dialect, plain, before, m_tokens);
         m_reader.checkCharacters(line.text, line.number, m_tokens);
         line.text = plain;
+        if (m_network == nullptr && before == LineState::Code && readDeclaration(line))
+            return;
         std::span<const Token> tokens = m_tokens;
         m_statementOnLine = false;
         if (before == LineState::Comment)
             tokens = continueComment(line, tokens);
         while (!tokens.empty() && !m_ended)
             tokens = readToken(line, tokens);
+    }
+
+    /// What is declared before the first network stays in the prologue, with its comments.
+    bool readDeclaration(const Line& line)
+    {
+        if (!m_declarations.read(withoutComments(line.text, m_tokens), line.number))
+            return false;
+        std::size_t end = line.next;
+        if (m_state == LineState::Comment) {
+            readComment(line, m_tokens.back(), true);
+            end = m_openBegin;
+        }
+        takeTail(end);
+        return true;
     }
 
     /// The line begins inside a comment: takes what belongs to it.
@@ -318,6 +334,7 @@ private:
     ParsedProgram m_program;
     DiagnosticSink m_sink;
     StatementReader m_reader;
+    DeclarationReader m_declarations;
     std::vector<Token> m_tokens;
     LineState m_state = LineState::Code;
     std::size_t m_pieceBegin = 0;

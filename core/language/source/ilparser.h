@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/base/diagnostic.h"
+#include "core/language/source/declarations.h"
 #include "core/language/source/diagnosticsink.h"
 #include "core/language/source/rung.h"
 
@@ -31,6 +32,7 @@ struct ParsedNetwork {
 struct ParsedProgram {
     DialectId dialect = DialectId::KincoIl;
     ObjectKey object;                        ///< the program's place in the project, for diagnostics
+    Declarations declarations;               ///< TS600: as `prologue` has them
     std::string prologue;                    ///< before the first network, the "(*n*)" line of .ilp files included
     std::vector<ParsedNetwork> networks;
     std::string epilogue;                    ///< the END line and what follows

@@ -148,6 +148,8 @@ private:
 
     void inSeries(bool pure)
     {
+        if (m_rung.statements[m_at].role == StatementRole::Block && Dialect::standsAlone(mnemonic(m_at)))
+            m_begun = true;
         needsFlow();
         if (m_rung.statements[m_at].role == StatementRole::Block)
             takeFlows();

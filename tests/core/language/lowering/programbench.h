@@ -3,6 +3,7 @@
 #include "core/language/check/checksources.h"
 #include "core/language/lowering/lowerprograms.h"
 #include "core/language/lowering/memorylayout.h"
+#include "core/runtime/blocks/programblocks.h"
 #include "core/runtime/executor/executor.h"
 
 #include <gtest/gtest.h>
@@ -54,9 +55,11 @@ public:
             out += englishLine(diagnostic) + "\n";
         if (!checked.programs)
             return out + "not built\n";
-        LoweredPrograms lowered = lowerPrograms(*m_context->family, *m_context->model, *checked.programs, Job());
+        LoweredPrograms lowered = lowerPrograms(*m_context->family, *m_context->model, *checked.programs, Job(), {}, m_context->variableBytes);
         auto image = std::make_shared<ControllerImage>();
-        image->layout = memoryLayout(*m_context->family, *m_context->model, m_context->variableBytes, lowered.program.routines.size());
+        image->target.family = m_context->family->id();
+        image->layout = memoryLayout(*m_context->family, *m_context->model, lowered.variableBytes, lowered.program.routines.size());
+        image->configuration.interrupts = std::move(lowered.interrupts);
         image->program = std::move(lowered.program);
         image->debug = std::move(lowered.debug);
         m_image = image;
@@ -64,6 +67,7 @@ public:
         if (!executor)
             return out + englishText(executor.error());
         m_executor = std::make_unique<ScanExecutor>(std::move(executor).value());
+        m_blocks = std::make_unique<ProgramBlocks>(*m_image, m_noMotion);
         return out;
     }
 
@@ -72,7 +76,7 @@ public:
         m_now += after;
         ScanInput input;
         input.now = m_now;
-        input.host = m_host;
+        input.host = m_host ? m_host : m_blocks.get();
         input.operations = 1'000'000;
         return m_executor->scan(input);
     }
@@ -138,11 +142,17 @@ private:
         }
     }
 
+    struct NoMotionBlocks : BlockHost {
+        void call(InstructionId, const BlockInstance&, PinValues&) override {}
+    };
+
     Project m_project;
     Programs m_sources;
     std::optional<LanguageContext> m_context;
     std::shared_ptr<const ControllerImage> m_image;
     std::unique_ptr<ScanExecutor> m_executor;
+    NoMotionBlocks m_noMotion;
+    std::unique_ptr<ProgramBlocks> m_blocks;
     BlockHost* m_host = nullptr;
     Time m_now{};
 };
