@@ -82,14 +82,20 @@ Checked compileProject(Invocation& call, const QString& path, const BuildOptions
     return out;
 }
 
-void summary(Invocation& call, const Checked& checked, const QString& good)
+QString counted(std::size_t number, const char* what)
+{
+    return QStringLiteral("%1 %2%3").arg(QString::number(number), QLatin1String(what), QLatin1String(number == 1 ? "" : "s"));
+}
+
+void summary(Invocation& call, const Checked& checked)
 {
     if (call.out.asJson()) {
         call.out.json()["errors"] = checked.errors;
         call.out.json()["warnings"] = checked.warnings;
         return;
     }
-    call.out.line(checked.errors == 0 ? good : QStringLiteral("%1 errors, %2 warnings.").arg(checked.errors).arg(checked.warnings));
+    const QString errors = checked.errors == 0 ? QStringLiteral("No errors") : counted(checked.errors, "error");
+    call.out.line(errors + QStringLiteral(", ") + counted(checked.warnings, "warning") + QLatin1Char('.'));
 }
 
 } // namespace
@@ -111,7 +117,7 @@ BuiltProject buildProject(Invocation& call, const QString& path)
     out.status = checked.status;
     if (checked.status != Done || !checked.result || !checked.result->image) {
         out.status = out.status == Done ? AnswerIsNo : out.status;
-        summary(call, checked, QString());
+        summary(call, checked);
         return out;
     }
     out.image = write(*checked.result->image);
@@ -141,7 +147,7 @@ int checkLooseFile(Invocation& call, const QString& path)
     for (const Diagnostic& d : found)
         call.out.diagnostic(d);
     count(checked, found);
-    summary(call, checked, QStringLiteral("No errors, %1 warnings.").arg(checked.warnings));
+    summary(call, checked);
     return checked.errors == 0 ? Done : AnswerIsNo;
 }
 
@@ -153,7 +159,7 @@ int runCheck(Invocation& call)
         return checkLooseFile(call, call.words[0]);
     const Checked checked = compileProject(call, call.words[0], BuildOptions{.forVirtualController = false, .archive = {}});
     if (checked.status != CannotRead)
-        summary(call, checked, QStringLiteral("No errors, %1 warnings.").arg(checked.warnings));
+        summary(call, checked);
     return checked.status;
 }
 
