@@ -55,15 +55,6 @@ IrRegister IrWriter::compute(IrOp op, DataType type, IrRegister a, IrRegister b)
     return define(instruction);
 }
 
-IrRegister IrWriter::select(DataType type, IrRegister condition, IrRegister a, IrRegister b)
-{
-    IrInstruction instruction = make(IrOp::Select, type);
-    instruction.a = condition;
-    instruction.b = a;
-    instruction.index = b;
-    return define(instruction);
-}
-
 IrRegister IrWriter::bound(IrRegister a, std::uint32_t count)
 {
     IrInstruction instruction = make(IrOp::Bound, DataType::Dint);

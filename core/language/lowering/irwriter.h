@@ -19,8 +19,6 @@ public:
     IrRegister load(DataType type, const IrAddress& address);
     void store(DataType type, const IrAddress& address, IrRegister value);
     IrRegister compute(IrOp op, DataType type, IrRegister a, IrRegister b = NoRegister);
-    /// `a` if the condition holds, else `b`.
-    IrRegister select(DataType type, IrRegister condition, IrRegister a, IrRegister b);
     /// An index: a (DINT) as it is, 0 … count - 1. Else the routine goes on where `land` puts the jump, which is this instruction.
     IrRegister bound(IrRegister a, std::uint32_t count);
     IrRegister loadElement(DataType type, const IrAddress& address, IrRegister index, std::uint32_t stride);
