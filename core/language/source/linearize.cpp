@@ -83,7 +83,7 @@ private:
                 return false;
             out.mnemonic = word;
             out.role = role;
-        } else if (spot != Spot::Series && !(spot == Spot::Load && Dialect::standsAlone(out.mnemonic))) {
+        } else if (spot != Spot::Series) {
             return false;
         }
         takeSkippedComments(index);

@@ -148,8 +148,10 @@ private:
 
     void inSeries(bool pure)
     {
-        if (m_rung.statements[m_at].role == StatementRole::Block && Dialect::standsAlone(mnemonic(m_at)))
+        if (m_rung.statements[m_at].role == StatementRole::Block && Dialect::standsAlone(mnemonic(m_at))) {
+            m_drawable = m_drawable && m_begun; // ladder has no picture of a rung without a flow
             m_begun = true;
+        }
         needsFlow();
         if (m_rung.statements[m_at].role == StatementRole::Block)
             takeFlows();
