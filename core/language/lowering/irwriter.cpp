@@ -108,11 +108,6 @@ IrRegister IrWriter::select(DataType type, IrRegister condition, IrRegister a, I
     return define(instruction);
 }
 
-std::uint32_t IrWriter::position() const
-{
-    return static_cast<std::uint32_t>(m_routine.code.size());
-}
-
 void IrWriter::control(IrOp op, std::uint32_t index, IrRegister a, IrRegister b)
 {
     IrInstruction instruction = make(op, DataType::Bool);

@@ -30,14 +30,12 @@ public:
     void control(IrOp op, std::uint32_t index = 0, IrRegister a = NoRegister, IrRegister b = NoRegister);
     /// a if condition, else b.
     IrRegister select(DataType type, IrRegister condition, IrRegister a, IrRegister b);
-    /// Number of the next instruction, for jumps back.
-    std::uint32_t position() const;
     /// A jump whose target is still open; `land` puts it here.
     std::size_t jumpIf(bool sense, IrRegister condition);
     std::size_t jump();
     void land(std::size_t jump);
     void land(std::size_t jump, std::size_t target);
-    /// The instruction that comes next.
+    /// Number of the instruction that comes next, for jumps back.
     std::size_t here() const { return m_routine.code.size(); }
 
     /// An instruction with its operation, type and source filled in, for emit() and define().
@@ -46,7 +44,6 @@ public:
     std::size_t emit(const IrInstruction& instruction);
     /// Appends one with a result.
     IrRegister define(IrInstruction instruction);
-    std::size_t size() const { return m_routine.code.size(); }
 
 private:
 

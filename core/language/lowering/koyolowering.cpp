@@ -361,7 +361,7 @@ void RoutineLowering::openLoop(const CheckedStatement& statement)
     const std::size_t run = m_ir.jumpIf(false, skips);
     m_ir.store(DataType::Udint, loop.counter, accumulator.constant(0));
     m_ir.land(run);
-    loop.begin = m_ir.position();
+    loop.begin = static_cast<std::uint32_t>(m_ir.here());
     const IrRegister isOver = accumulator.isZero(m_ir.load(DataType::Udint, loop.counter));
     loop.exit = m_ir.jumpIf(true, isOver);
     m_loops.push_back(loop);

@@ -196,7 +196,7 @@ void BodyLowering::forStatement(const Statement& s)
         runs = select(DataType::Bool, isUp, up, down);
     }
     const std::size_t skip = m_ir.jumpIf(false, runs);
-    const std::size_t begin = m_ir.size();
+    const std::size_t begin = m_ir.here();
     m_loops.emplace_back();
     statements(s.body);
     markSource(s.offset, s.headEnd);
@@ -244,7 +244,7 @@ void BodyLowering::repeatWhileInside(const Statement& s, std::size_t begin, IrRe
 
 void BodyLowering::whileStatement(const Statement& s)
 {
-    const std::size_t begin = m_ir.size();
+    const std::size_t begin = m_ir.here();
     const std::size_t leave = m_ir.jumpIf(false, value(*s.value));
     m_loops.emplace_back();
     statements(s.body);
@@ -258,7 +258,7 @@ void BodyLowering::whileStatement(const Statement& s)
 
 void BodyLowering::repeatStatement(const Statement& s)
 {
-    const std::size_t begin = m_ir.size();
+    const std::size_t begin = m_ir.here();
     m_loops.emplace_back();
     statements(s.body);
     landAll(m_loops.back().continues);

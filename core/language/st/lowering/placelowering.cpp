@@ -35,7 +35,7 @@ ValuePlace BodyLowering::reached(IrRegister stored, std::uint32_t bytes)
     IrInstruction guard = m_ir.make(IrOp::Reach, DataType::Dword);
     guard.a = stored;
     guard.constant = bytes;
-    m_guards.push_back(m_ir.size());
+    m_guards.push_back(m_ir.here());
     ValuePlace place;
     place.kind = ValuePlace::Kind::Pointer;
     place.pointer = m_ir.define(guard);
@@ -121,7 +121,7 @@ IrRegister BodyLowering::boundedIndex(const Expr& subscript, const Type& array)
     if (subscript.type->data != DataType::Dint)
         guard.a = m_ir.convert(IrOp::Saturate, subscript.type->data, DataType::Dint, guard.a);
     guard.constant = irConstant(static_cast<std::uint32_t>(array.low), static_cast<std::uint32_t>(array.high - array.low + 1));
-    m_guards.push_back(m_ir.size());
+    m_guards.push_back(m_ir.here());
     return m_ir.define(guard);
 }
 
@@ -135,7 +135,7 @@ IrRegister BodyLowering::pointerTo(const ValuePlace& place, std::uint32_t bytes)
         IrInstruction one = m_ir.make(IrOp::Bound, DataType::Dint);
         one.a = integer(DataType::Dint, 1);
         one.constant = irConstant(0, 2);
-        m_guards.push_back(m_ir.size());
+        m_guards.push_back(m_ir.here());
         IrInstruction step = m_ir.make(IrOp::Element, DataType::Dword);
         step.b = m_ir.define(one);
         step.a = place.pointer;
